@@ -1,0 +1,184 @@
+#ifndef rift_base_simd_h
+#define rift_base_simd_h
+
+#include <rift/base/types.h>
+#include <rift/base/vector3.h>
+
+#include <cmath>
+
+/**
+ * SIMD arithmetic with the vector types of GCC and Clang. deal.II's
+ * VectorizedArray has one lane in Debian's package, and std::experimental::simd
+ * lacks the shuffles that the gather and scatter below live on.
+ */
+namespace rift
+{
+  /** One number for each lane of a batch. */
+  using Simd = double __attribute__((vector_size(8 * batch_size)));
+
+  /** What comparisons of Simd give: all bits set in a lane where true. */
+  using SimdMask = std::int64_t __attribute__((vector_size(8 * batch_size)));
+
+  /** The data of one node: x, y, z and one unused place, aligned. */
+  using Row = double __attribute__((vector_size(32)));
+
+  /**
+   * A vector per node, stored as an aligned row of four numbers so that a
+   * node's data is read and written at once.
+   */
+  struct alignas(32) NodalVector
+  {
+    double v[4] = {0, 0, 0, 0};
+
+    double &
+    operator[](const unsigned int d)
+    {
+      return v[d];
+    }
+
+    double
+    operator[](const unsigned int d) const
+    {
+      return v[d];
+    }
+
+    Vector3<double>
+    vector() const
+    {
+      return {{v[0], v[1], v[2]}};
+    }
+
+    Row &
+    row()
+    {
+      return reinterpret_cast<Row &>(v);
+    }
+
+    const Row &
+    row() const
+    {
+      return reinterpret_cast<const Row &>(v);
+    }
+  };
+
+  /** The same number in all lanes. */
+  inline Simd
+  broadcast(const double a)
+  {
+    return Simd{} + a;
+  }
+
+  /** Whether a mask is true in any lane. */
+  inline bool
+  any(const SimdMask &mask)
+  {
+    std::int64_t bits = 0;
+    for (unsigned int lane = 0; lane < batch_size; ++lane)
+      bits |= mask[lane];
+    return bits != 0;
+  }
+
+  inline bool
+  any(const bool mask)
+  {
+    return mask;
+  }
+
+  // The functions below exist for double and for Simd, so that a law can be
+  // written once for both.
+
+  inline Simd
+  select(const SimdMask &mask, const Simd &if_true, const Simd &if_false)
+  {
+    return mask ? if_true : if_false;
+  }
+
+  inline double
+  select(const bool mask, const double if_true, const double if_false)
+  {
+    return mask ? if_true : if_false;
+  }
+
+  template <typename Number>
+  inline Number
+  max(const Number &a, const Number &b)
+  {
+    return select(a > b, a, b);
+  }
+
+  template <typename Number>
+  inline Number
+  min(const Number &a, const Number &b)
+  {
+    return select(a < b, a, b);
+  }
+
+  inline double
+  sqrt(const double a)
+  {
+    return std::sqrt(a);
+  }
+
+  inline Simd
+  sqrt(const Simd &a)
+  {
+    Simd result{};
+    for (unsigned int lane = 0; lane < batch_size; ++lane)
+      result[lane] = __builtin_sqrt(a[lane]);
+    return result;
+  }
+
+  /**
+   * Reads the vectors of eight nodes and transposes them: component d of node
+   * `nodes[lane]` comes to lane `lane` of `result[d]`.
+   */
+  inline Vector3<Simd>
+  gather(const NodalVector *data, const NodeIndex *nodes)
+  {
+    static_assert(batch_size == 8, "the shuffles below are for eight lanes");
+    const auto pair = [&](const unsigned int lane) {
+      return __builtin_shufflevector(data[nodes[lane]].row(),
+                                     data[nodes[lane + 4]].row(),
+                                     0, 1, 2, 3, 4, 5, 6, 7);
+    };
+    const Simd a = pair(0), b = pair(1), c = pair(2), d = pair(3);
+
+    const Simd ab_02 = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
+    const Simd ab_13 = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+    const Simd cd_02 = __builtin_shufflevector(c, d, 0, 8, 2, 10, 4, 12, 6, 14);
+    const Simd cd_13 = __builtin_shufflevector(c, d, 1, 9, 3, 11, 5, 13, 7, 15);
+    return {{
+      __builtin_shufflevector(ab_02, cd_02, 0, 1, 8, 9, 4, 5, 12, 13),
+      __builtin_shufflevector(ab_13, cd_13, 0, 1, 8, 9, 4, 5, 12, 13),
+      __builtin_shufflevector(ab_02, cd_02, 2, 3, 10, 11, 6, 7, 14, 15)}};
+  }
+
+  /** The transpose of gather(): one row (x, y, z, 0) for each lane. */
+  inline std::array<Row, batch_size>
+  transpose_to_rows(const Vector3<Simd> &value)
+  {
+    const Simd zero{};
+    const Simd xy_02 =
+      __builtin_shufflevector(value[0], value[1], 0, 8, 2, 10, 4, 12, 6, 14);
+    const Simd xy_13 =
+      __builtin_shufflevector(value[0], value[1], 1, 9, 3, 11, 5, 13, 7, 15);
+    const Simd z0_02 =
+      __builtin_shufflevector(value[2], zero, 0, 8, 2, 10, 4, 12, 6, 14);
+    const Simd z0_13 =
+      __builtin_shufflevector(value[2], zero, 1, 9, 3, 11, 5, 13, 7, 15);
+    const Simd rows[4] = {
+      __builtin_shufflevector(xy_02, z0_02, 0, 1, 8, 9, 4, 5, 12, 13),
+      __builtin_shufflevector(xy_13, z0_13, 0, 1, 8, 9, 4, 5, 12, 13),
+      __builtin_shufflevector(xy_02, z0_02, 2, 3, 10, 11, 6, 7, 14, 15),
+      __builtin_shufflevector(xy_13, z0_13, 2, 3, 10, 11, 6, 7, 14, 15)};
+    std::array<Row, batch_size> result;
+    for (unsigned int i = 0; i < 4; ++i)
+      {
+        result[i] = __builtin_shufflevector(rows[i], rows[i], 0, 1, 2, 3);
+        result[i + 4] = __builtin_shufflevector(rows[i], rows[i], 4, 5, 6, 7);
+      }
+    return result;
+  }
+} // namespace rift
+
+#endif

@@ -1,0 +1,97 @@
+#ifndef rift_base_vector3_h
+#define rift_base_vector3_h
+
+#include <array>
+#include <cmath>
+
+namespace rift
+{
+  /**
+   * A vector in space. `Number` is `double` or a SIMD vector of them. It is a
+   * plain array, so that kernels and laws need no deal.II header.
+   */
+  template <typename Number>
+  using Vector3 = std::array<Number, 3>;
+
+  /** A matrix, row by row. */
+  template <typename Number>
+  using Matrix3 = std::array<Vector3<Number>, 3>;
+
+  template <typename Number>
+  inline Vector3<Number>
+  operator+(const Vector3<Number> &a, const Vector3<Number> &b)
+  {
+    return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}};
+  }
+
+  template <typename Number>
+  inline Vector3<Number>
+  operator-(const Vector3<Number> &a, const Vector3<Number> &b)
+  {
+    return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}};
+  }
+
+  template <typename Number>
+  inline Vector3<Number>
+  operator*(const Number &s, const Vector3<Number> &a)
+  {
+    return {{s * a[0], s * a[1], s * a[2]}};
+  }
+
+  template <typename Number>
+  inline Vector3<Number> &
+  operator+=(Vector3<Number> &a, const Vector3<Number> &b)
+  {
+    for (unsigned int d = 0; d < 3; ++d)
+      a[d] = a[d] + b[d];
+    return a;
+  }
+
+  template <typename Number>
+  inline Vector3<Number> &
+  operator-=(Vector3<Number> &a, const Vector3<Number> &b)
+  {
+    for (unsigned int d = 0; d < 3; ++d)
+      a[d] = a[d] - b[d];
+    return a;
+  }
+
+  template <typename Number>
+  inline Number
+  dot(const Vector3<Number> &a, const Vector3<Number> &b)
+  {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  }
+
+  template <typename Number>
+  inline Vector3<Number>
+  cross(const Vector3<Number> &a, const Vector3<Number> &b)
+  {
+    return {{a[1] * b[2] - a[2] * b[1],
+             a[2] * b[0] - a[0] * b[2],
+             a[0] * b[1] - a[1] * b[0]}};
+  }
+
+  inline double
+  norm(const Vector3<double> &a)
+  {
+    return std::sqrt(dot(a, a));
+  }
+
+  /** Matrix times vector. */
+  template <typename Number>
+  inline Vector3<Number>
+  operator*(const Matrix3<Number> &m, const Vector3<Number> &a)
+  {
+    return {{dot(m[0], a), dot(m[1], a), dot(m[2], a)}};
+  }
+
+  template <typename Number>
+  inline Number
+  determinant(const Matrix3<Number> &m)
+  {
+    return dot(m[0], cross(m[1], m[2]));
+  }
+} // namespace rift
+
+#endif

@@ -1,0 +1,51 @@
+#ifndef rift_io_output_parameters_h
+#define rift_io_output_parameters_h
+
+#include <rift/base/vector3.h>
+
+#include <string>
+
+namespace rift
+{
+  /** Subsection `Output` of the .prm. */
+  struct OutputParameters
+  {
+    /** Where results go, relative to the folder in which rift is started. */
+    std::string directory = "results";
+
+    /** Time between two states in solid.pvd and fracture.pvd, s; 0: none. */
+    double solution_interval = 0;
+
+    /** Time between two rows of probes.csv and energy.csv, s; 0: each step. */
+    double history_interval = 0;
+
+    /** Whether results of an older run may be replaced. */
+    bool overwrite = false;
+  };
+
+  /** Subsection `Probe NAME`: one column of probes.csv. */
+  struct ProbeParameters
+  {
+    enum class Field
+    {
+      displacement,
+      velocity,
+      stress,
+      pressure
+    };
+
+    std::string name;
+    Field       field = Field::velocity;
+
+    /** Index 0..2 of a vector's or 0..5 (xx yy zz yz xz xy) of stress. */
+    unsigned int component = 0;
+
+    /** Average over this surface; empty: at `point`. */
+    std::string boundary;
+
+    /** A point of the undeformed body, m. */
+    Vector3<double> point = {{0, 0, 0}};
+  };
+} // namespace rift
+
+#endif

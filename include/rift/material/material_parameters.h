@@ -1,0 +1,67 @@
+#ifndef rift_material_material_parameters_h
+#define rift_material_material_parameters_h
+
+#include <rift/base/vector3.h>
+
+#include <array>
+#include <string>
+
+namespace rift
+{
+  /**
+   * A material: subsection `Material NAME` of the .prm, where NAME is that of
+   * a physical volume of the mesh.
+   */
+  struct MaterialParameters
+  {
+    enum class Elasticity
+    {
+      isotropic,
+      anisotropic
+    };
+
+    std::string name;
+
+    /** Mass density, kg/m^3. */
+    double density = 0;
+
+    Elasticity elasticity = Elasticity::isotropic;
+
+    /** Isotropic: Young's modulus, Pa, and Poisson's ratio. */
+    double youngs_modulus = 0;
+    double poissons_ratio = 0;
+
+    /**
+     * Anisotropic: upper triangle, row by row, of the stiffness in Voigt's
+     * order 11, 22, 33, 23, 13, 12, in material axes, Pa.
+     */
+    std::array<double, 21> stiffness{};
+
+    /** Material axes 1 and 2 in the frame of the mesh; 3 is their product. */
+    Vector3<double> axis_1 = {{1, 0, 0}};
+    Vector3<double> axis_2 = {{0, 1, 0}};
+
+    /** Viscosity eta of the stress eta d, Pa s. */
+    double viscosity = 0;
+
+    /** Velocity at the start, m/s. */
+    Vector3<double> initial_velocity = {{0, 0, 0}};
+
+    /** Whether cohesive elements may be inserted inside this material. */
+    bool breakable = true;
+
+    /** Tensile strength and cohesion, Pa; friction angle, rad. */
+    double tensile_strength = 0;
+    double cohesion         = 0;
+    double friction_angle   = 0;
+
+    /** Fracture energies of modes I and II, J/m^2. */
+    double fracture_energy_1 = 0;
+    double fracture_energy_2 = 0;
+
+    /** Weibull modulus of the scatter of both strengths; 0: no scatter. */
+    double weibull_modulus = 0;
+  };
+} // namespace rift
+
+#endif
