@@ -22,6 +22,9 @@ namespace rift
   /** The data of one node: x, y, z and one unused place, aligned. */
   using Row = double __attribute__((vector_size(32)));
 
+  /** A Row that may be read from and written to an array of double. */
+  using AliasingRow = double __attribute__((vector_size(32), may_alias));
+
   /**
    * A vector per node, stored as an aligned row of four numbers so that a
    * node's data is read and written at once.
@@ -48,16 +51,16 @@ namespace rift
       return {{v[0], v[1], v[2]}};
     }
 
-    Row &
+    AliasingRow &
     row()
     {
-      return reinterpret_cast<Row &>(v);
+      return reinterpret_cast<AliasingRow &>(v);
     }
 
-    const Row &
+    const AliasingRow &
     row() const
     {
-      return reinterpret_cast<const Row &>(v);
+      return reinterpret_cast<const AliasingRow &>(v);
     }
   };
 
@@ -137,9 +140,8 @@ namespace rift
   {
     static_assert(batch_size == 8, "the shuffles below are for eight lanes");
     const auto pair = [&](const unsigned int lane) {
-      return __builtin_shufflevector(data[nodes[lane]].row(),
-                                     data[nodes[lane + 4]].row(),
-                                     0, 1, 2, 3, 4, 5, 6, 7);
+      const Row low = data[nodes[lane]].row(), high = data[nodes[lane + 4]].row();
+      return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
     };
     const Simd a = pair(0), b = pair(1), c = pair(2), d = pair(3);
 

@@ -1,0 +1,195 @@
+#ifndef rift_mesh_topology_h
+#define rift_mesh_topology_h
+
+#include <rift/base/types.h>
+
+#include <vector>
+
+namespace rift
+{
+  /** What Topology is made from: one cell that this rank sees. */
+  struct LocalCell
+  {
+    GlobalCellIndex                    global_index;
+    std::array<VertexIndex, n_corners> vertices;
+    std::uint16_t                      material;
+  };
+
+  /** The node that each corner of the eight cells of a batch uses. */
+  struct alignas(64) BatchNodes
+  {
+    NodeIndex corner[n_corners][batch_size];
+  };
+
+  /** The batches [begin, end) whose cells are all of one material. */
+  struct MaterialRange
+  {
+    std::uint16_t material;
+    std::uint32_t begin, end;
+  };
+
+  /**
+   * An interior face, seen from the two cells that it parts. Side 0, called
+   * *minus*, is the cell of smaller global index; side 1 is *plus*.
+   */
+  struct Face
+  {
+    CellIndex    cells[2];
+    std::uint8_t local_faces[2];
+  };
+
+  /** What holds the two sides of an interior face together. */
+  enum class FaceState : std::uint8_t
+  {
+    /** The cells share their nodes as far as the cracks around allow. */
+    intact,
+    /** A cohesive element has been inserted. */
+    cohesive,
+    /** The cohesive element has failed: no tension is left. */
+    broken
+  };
+
+  /**
+   * Which node each corner of each cell uses, and which cells meet at faces
+   * and vertices. A crack changes only `batches`, `face_states` and
+   * `node_vertices` (see split_nodes()); the rest never changes.
+   *
+   * Cells stand in ascending global index, in batches of eight; the last batch
+   * of a material is filled up with cells of no volume, which have no global
+   * index (`invalid_index`) and all corners at node 0.
+   */
+  class Topology
+  {
+  public:
+    /**
+     * @param cells in ascending global index, all of a material together.
+     * @param n_vertices size of the numbering that `cells` uses. Node i starts
+     *   out at vertex i.
+     */
+    Topology(const std::vector<LocalCell> &cells, std::size_t n_vertices);
+
+    std::size_t
+    n_batches() const
+    {
+      return batches.size();
+    }
+
+    /** Number of cells with the padding. */
+    std::size_t
+    n_cell_slots() const
+    {
+      return cell_global_indices.size();
+    }
+
+    /** Number of cells without the padding. */
+    std::size_t
+    n_cells() const
+    {
+      return n_real_cells;
+    }
+
+    std::size_t
+    n_nodes() const
+    {
+      return node_vertices.size();
+    }
+
+    std::size_t
+    n_vertices() const
+    {
+      return vertex_cells_begin.size() - 1;
+    }
+
+    bool
+    is_padding(const CellIndex cell) const
+    {
+      return cell_global_indices[cell] == invalid_index;
+    }
+
+    NodeIndex
+    node(const CellIndex cell, const unsigned int corner) const
+    {
+      return batches[cell / batch_size].corner[corner][cell % batch_size];
+    }
+
+    VertexIndex
+    vertex(const CellIndex cell, const unsigned int corner) const
+    {
+      return node_vertices[node(cell, corner)];
+    }
+
+    /** The corner at which a cell has this vertex; n_corners if nowhere. */
+    unsigned int
+    corner_at_vertex(CellIndex cell, VertexIndex vertex) const;
+
+    /** The material of a cell's batch. */
+    std::uint16_t
+    material(const CellIndex cell) const
+    {
+      return batch_materials[cell / batch_size];
+    }
+
+    /** The cell on the other side of an interior face. */
+    CellIndex
+    neighbour(const FaceIndex face, const CellIndex cell) const
+    {
+      return faces[face].cells[faces[face].cells[0] == cell ? 1 : 0];
+    }
+
+    /** Cells around a vertex, in ascending order: a range of pointers. */
+    const CellIndex *
+    vertex_cells_first(const VertexIndex vertex) const
+    {
+      return vertex_cells.data() + vertex_cells_begin[vertex];
+    }
+
+    const CellIndex *
+    vertex_cells_last(const VertexIndex vertex) const
+    {
+      return vertex_cells.data() + vertex_cells_begin[vertex + 1];
+    }
+
+    /** The slot of a cell given by its global index; invalid_index if none. */
+    CellIndex
+    find_cell(GlobalCellIndex global_index) const;
+
+    /** Nodes of every cell. */
+    std::vector<BatchNodes> batches;
+
+    /** Global index of every cell slot. */
+    std::vector<GlobalCellIndex> cell_global_indices;
+
+    /** The batches of each material that occurs here, in order. */
+    std::vector<MaterialRange> material_ranges;
+    std::vector<std::uint16_t> batch_materials;
+
+    /**
+     * Interior face at each local face of each cell; local face f is the one
+     * opposite to corner f. invalid_index on the surface of the body.
+     */
+    std::vector<std::array<FaceIndex, n_corners>> cell_faces;
+
+    /** Interior faces, ascending by (global index of side 0, local face). */
+    std::vector<Face>      faces;
+    std::vector<FaceState> face_states;
+
+    /** The vertex that each node lies at. */
+    std::vector<VertexIndex> node_vertices;
+
+  private:
+    void
+    make_batches(const std::vector<LocalCell> &cells);
+
+    void
+    make_vertex_cells(std::size_t n_vertices);
+
+    void
+    make_faces();
+
+    std::size_t                n_real_cells;
+    std::vector<std::uint32_t> vertex_cells_begin;
+    std::vector<CellIndex>     vertex_cells;
+  };
+} // namespace rift
+
+#endif

@@ -1,0 +1,106 @@
+#ifndef rift_solid_internal_force_h
+#define rift_solid_internal_force_h
+
+#include <rift/discretization/activity.h>
+#include <rift/discretization/reference_cell_data.h>
+#include <rift/discretization/state.h>
+#include <rift/material/elasticity.h>
+
+#include <optional>
+#include <vector>
+
+namespace rift
+{
+  /**
+   * A bound below which no face of a cell can be at its strength. From the
+   * mean stress m and the norm |s| of the deviator (doc/theory.md, eq. 10):
+   * no plane has a normal stress above m + sqrt(2/3) |s|, nor a shear stress
+   * less friction above |s|/sqrt(2)/cos(phi) + tan(phi) (m + |s|/sqrt(24)).
+   */
+  struct StressBound
+  {
+    /** Smallest strengths of the faces, times a margin, Pa. */
+    double tensile_strength;
+    double cohesion;
+
+    /** tan and cos of the largest friction angle. */
+    double tan_friction_angle, cos_friction_angle;
+  };
+
+  /** A cell that has left the range in which its law makes sense. */
+  struct FailedCell
+  {
+    CellIndex cell;
+    /** Volume over reference volume. */
+    double volume_ratio;
+  };
+
+  /**
+   * The elastic forces of all cells, total Lagrangian.
+   */
+  class InternalForce
+  {
+  public:
+    /**
+     * Smallest ratio of current to reference volume that is accepted; St.
+     * Venant-Kirchhoff softens in compression and means nothing beyond.
+     */
+    static constexpr double smallest_volume_ratio = .5;
+
+    /** @param laws one for each material index. */
+    InternalForce(const Topology          &topology,
+                  const ReferenceCellData &reference,
+                  std::vector<Elasticity>  laws);
+
+    /** Asks for the cells that come near their strength; see hot_cells(). */
+    void
+    watch(std::vector<std::optional<StressBound>> bounds);
+
+    /**
+     * Adds the forces of all cells that are awake to `state.force`.
+     *
+     * @return the first cell, if any, that is inverted, squeezed below
+     *   smallest_volume_ratio, or not a number.
+     */
+    std::optional<FailedCell>
+    add_to(State &state, Activity &activity);
+
+    /**
+     * Cells in which the last call of add_to() found a stress above the bound
+     * that watch() gave for their material, in ascending order.
+     */
+    const std::vector<CellIndex> &
+    hot_cells() const
+    {
+      return hot;
+    }
+
+    /** First Piola-Kirchhoff stress of a batch of cells, Pa. */
+    Matrix3<Simd>
+    first_piola_kirchhoff_stress(const State &state, std::size_t batch) const;
+
+    /** Cauchy stress of one cell, Pa. */
+    SymmetricTensor<double>
+    cauchy_stress(const State &state, CellIndex cell) const;
+
+    /** Strain energy of all cells, J. */
+    double
+    strain_energy(const State &state) const;
+
+  private:
+    template <typename Law, bool is_watched>
+    std::optional<FailedCell>
+    add_range(const Law           &law,
+              const MaterialRange &range,
+              State               &state,
+              Activity            &activity);
+
+    const Topology                         &topology;
+    const ReferenceCellData                &reference;
+    std::vector<Elasticity>                 laws;
+    std::vector<std::optional<StressBound>> bounds;
+    std::vector<CellIndex>                  hot;
+  };
+} // namespace rift
+
+#endif

@@ -1,0 +1,97 @@
+#include <rift/material/elasticity.h>
+
+namespace rift
+{
+  namespace
+  {
+    IsotropicElasticity
+    make_isotropic(const MaterialParameters &p)
+    {
+      const double e = p.youngs_modulus, nu = p.poissons_ratio;
+      return {e * nu / ((1 + nu) * (1 - 2 * nu)), e / (2 * (1 + nu))};
+    }
+
+    AnisotropicElasticity
+    make_anisotropic(const MaterialParameters &p)
+    {
+      StiffnessMatrix in_material_axes;
+      unsigned int    k = 0;
+      for (unsigned int i = 0; i < 6; ++i)
+        for (unsigned int j = i; j < 6; ++j, ++k)
+          in_material_axes[i][j] = in_material_axes[j][i] = p.stiffness[k];
+
+      AnisotropicElasticity law{
+        rotate_stiffness(in_material_axes, material_axes(p.axis_1, p.axis_2))};
+      // The law sums over the six components of a strain, so that each shear
+      // component stands for two.
+      for (auto &row : law.stiffness)
+        for (unsigned int j = 3; j < 6; ++j)
+          row[j] *= 2;
+      return law;
+    }
+  } // namespace
+
+  Elasticity
+  make_elasticity(const MaterialParameters &p)
+  {
+    if (p.elasticity == MaterialParameters::Elasticity::isotropic)
+      return make_isotropic(p);
+    return make_anisotropic(p);
+  }
+
+  StiffnessMatrix
+  stiffness_matrix(const Elasticity &elasticity)
+  {
+    StiffnessMatrix result;
+    for (unsigned int j = 0; j < 6; ++j)
+      {
+        SymmetricTensor<double> strain{};
+        strain[j]         = j < 3 ? 1. : .5;
+        const auto column = std::visit(
+          [&](const auto &law) { return law.stress(strain); }, elasticity);
+        for (unsigned int i = 0; i < 6; ++i)
+          result[i][j] = column[i];
+      }
+    return result;
+  }
+
+  Matrix3<double>
+  material_axes(const Vector3<double> &axis_1, const Vector3<double> &axis_2)
+  {
+    Matrix3<double> axes;
+    axes[0] = (1. / norm(axis_1)) * axis_1;
+    axes[1] = axis_2 - dot(axis_2, axes[0]) * axes[0];
+    axes[1] = (1. / norm(axes[1])) * axes[1];
+    axes[2] = cross(axes[0], axes[1]);
+    return axes;
+  }
+
+  StiffnessMatrix
+  rotate_stiffness(const StiffnessMatrix &stiffness,
+                   const Matrix3<double> &axes)
+  {
+    // Bond's matrix M: stress row in the frame of the mesh = M x row in
+    // material axes; then C' = M C M^T.
+    constexpr std::array<std::array<unsigned int, 2>, 6> pairs = {
+      {{{0, 0}}, {{1, 1}}, {{2, 2}}, {{1, 2}}, {{0, 2}}, {{0, 1}}}};
+    StiffnessMatrix bond, product{}, result{};
+    for (unsigned int row = 0; row < 6; ++row)
+      for (unsigned int column = 0; column < 6; ++column)
+        {
+          const auto [i, j] = pairs[row];
+          const auto [k, l] = pairs[column];
+          bond[row][column] = axes[k][i] * axes[l][j];
+          if (k != l)
+            bond[row][column] += axes[l][i] * axes[k][j];
+        }
+    for (unsigned int i = 0; i < 6; ++i)
+      for (unsigned int j = 0; j < 6; ++j)
+        for (unsigned int k = 0; k < 6; ++k)
+          product[i][j] += bond[i][k] * stiffness[k][j];
+    for (unsigned int i = 0; i < 6; ++i)
+      for (unsigned int j = 0; j < 6; ++j)
+        for (unsigned int k = 0; k < 6; ++k)
+          result[i][j] += product[i][k] * bond[j][k];
+    return result;
+  }
+} // namespace rift

@@ -1,0 +1,115 @@
+#include <rift/mesh/mesh_data.h>
+#include <rift/mesh/node_splitter.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace rift
+{
+  namespace
+  {
+    /**
+     * For each of `cells`, which all use the node at `vertex`, the position of
+     * the first cell of its component.
+     */
+    std::vector<std::size_t>
+    find_components(const Topology               &topology,
+                    const std::vector<CellIndex> &cells,
+                    const VertexIndex             vertex)
+    {
+      std::vector<std::size_t> root(cells.size());
+      std::iota(root.begin(), root.end(), std::size_t{0});
+      const auto find_root = [&](std::size_t i) {
+        while (root[i] != i)
+          i = root[i] = root[root[i]];
+        return i;
+      };
+
+      for (std::size_t i = 0; i < cells.size(); ++i)
+        {
+          const unsigned int corner =
+            topology.corner_at_vertex(cells[i], vertex);
+          for (unsigned int f = 0; f < n_corners; ++f)
+            {
+              const FaceIndex face = topology.cell_faces[cells[i]][f];
+              if (f == corner || face == invalid_index ||
+                  topology.face_states[face] != FaceState::intact)
+                continue;
+              const CellIndex other = topology.neighbour(face, cells[i]);
+              const auto      position =
+                std::lower_bound(cells.begin(), cells.end(), other);
+              const std::size_t a = find_root(i);
+              const std::size_t b = find_root(position - cells.begin());
+              root[std::max(a, b)] = std::min(a, b);
+            }
+        }
+      for (std::size_t i = 0; i < cells.size(); ++i)
+        root[i] = find_root(i);
+      return root;
+    }
+
+    /** Gives each component of cells around a node a node of its own. */
+    NodeSplit
+    split_node(Topology &topology, const NodeIndex node)
+    {
+      const VertexIndex      vertex = topology.node_vertices[node];
+      std::vector<CellIndex> cells;
+      for (auto cell = topology.vertex_cells_first(vertex);
+           cell != topology.vertex_cells_last(vertex);
+           ++cell)
+        if (topology.node(*cell, topology.corner_at_vertex(*cell, vertex)) ==
+            node)
+          cells.push_back(*cell);
+
+      const auto root = find_components(topology, cells, vertex);
+
+      NodeSplit              split;
+      std::vector<NodeIndex> component_node(cells.size());
+      for (std::size_t i = 0; i < cells.size(); ++i)
+        {
+          if (root[i] == i)
+            {
+              component_node[i] = node;
+              if (i > 0)
+                {
+                  component_node[i] =
+                    static_cast<NodeIndex>(topology.n_nodes());
+                  topology.node_vertices.push_back(vertex);
+                }
+              split.parts.push_back(component_node[i]);
+            }
+          const unsigned int corner =
+            topology.corner_at_vertex(cells[i], vertex);
+          topology.batches[cells[i] / batch_size]
+            .corner[corner][cells[i] % batch_size] = component_node[root[i]];
+        }
+      return split;
+    }
+  } // namespace
+
+  TopologyChange
+  split_nodes(Topology &topology, const std::vector<FaceIndex> &cut_faces)
+  {
+    std::vector<NodeIndex> affected;
+    for (const FaceIndex face : cut_faces)
+      {
+        topology.face_states[face] = FaceState::cohesive;
+        const Face &f              = topology.faces[face];
+        for (const unsigned int corner : face_corners[f.local_faces[0]])
+          affected.push_back(topology.node(f.cells[0], corner));
+      }
+    std::sort(affected.begin(), affected.end());
+    affected.erase(std::unique(affected.begin(), affected.end()),
+                   affected.end());
+
+    TopologyChange change;
+    change.cut_faces = cut_faces;
+    for (const NodeIndex node : affected)
+      {
+        NodeSplit split = split_node(topology, node);
+        if (split.parts.size() > 1)
+          change.splits.push_back(std::move(split));
+      }
+    return change;
+  }
+} // namespace rift

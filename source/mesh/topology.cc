@@ -1,0 +1,138 @@
+#include <rift/base/exceptions.h>
+#include <rift/mesh/topology.h>
+
+#include <algorithm>
+#include <string>
+
+namespace rift
+{
+  Topology::Topology(const std::vector<LocalCell> &cells,
+                     const std::size_t             n_vertices)
+    : n_real_cells(cells.size())
+  {
+    node_vertices.resize(n_vertices);
+    for (std::size_t i = 0; i < n_vertices; ++i)
+      node_vertices[i] = static_cast<VertexIndex>(i);
+
+    make_batches(cells);
+    make_vertex_cells(n_vertices);
+    make_faces();
+  }
+
+  void
+  Topology::make_batches(const std::vector<LocalCell> &cells)
+  {
+    const auto new_range = [&](const std::uint16_t material) {
+      const auto begin = static_cast<std::uint32_t>(batches.size());
+      material_ranges.push_back({material, begin, begin});
+    };
+
+    for (const LocalCell &cell : cells)
+      {
+        const bool new_material =
+          material_ranges.empty() ||
+          material_ranges.back().material != cell.material;
+        if (new_material)
+          {
+            cell_global_indices.resize(batches.size() * batch_size,
+                                       invalid_index);
+            new_range(cell.material);
+          }
+        const std::size_t lane = cell_global_indices.size() % batch_size;
+        if (lane == 0)
+          {
+            batches.push_back({});
+            batch_materials.push_back(cell.material);
+            ++material_ranges.back().end;
+          }
+        for (unsigned int c = 0; c < n_corners; ++c)
+          batches.back().corner[c][lane] = cell.vertices[c];
+        cell_global_indices.push_back(cell.global_index);
+      }
+    cell_global_indices.resize(batches.size() * batch_size, invalid_index);
+  }
+
+  void
+  Topology::make_vertex_cells(const std::size_t n_vertices)
+  {
+    vertex_cells_begin.assign(n_vertices + 1, 0);
+    for (CellIndex cell = 0; cell < n_cell_slots(); ++cell)
+      if (!is_padding(cell))
+        for (unsigned int c = 0; c < n_corners; ++c)
+          ++vertex_cells_begin[vertex(cell, c) + 1];
+    for (std::size_t v = 0; v < n_vertices; ++v)
+      vertex_cells_begin[v + 1] += vertex_cells_begin[v];
+
+    vertex_cells.resize(vertex_cells_begin.back());
+    std::vector<std::uint32_t> next(vertex_cells_begin.begin(),
+                                    vertex_cells_begin.end() - 1);
+    for (CellIndex cell = 0; cell < n_cell_slots(); ++cell)
+      if (!is_padding(cell))
+        for (unsigned int c = 0; c < n_corners; ++c)
+          vertex_cells[next[vertex(cell, c)]++] = cell;
+  }
+
+  void
+  Topology::make_faces()
+  {
+    const std::array<FaceIndex, n_corners> none = {
+      {invalid_index, invalid_index, invalid_index, invalid_index}};
+    cell_faces.assign(n_cell_slots(), none);
+
+    // The neighbour at a face is the one other cell around the first of its
+    // vertices that has the two others as well.
+    for (CellIndex cell = 0; cell < n_cell_slots(); ++cell)
+      for (unsigned int f = 0; f < n_corners && !is_padding(cell); ++f)
+        {
+          const VertexIndex a = vertex(cell, (f + 1) % n_corners);
+          const VertexIndex b = vertex(cell, (f + 2) % n_corners);
+          const VertexIndex c = vertex(cell, (f + 3) % n_corners);
+          for (auto other = vertex_cells_first(a);
+               other != vertex_cells_last(a);
+               ++other)
+            {
+              if (*other <= cell)
+                continue;
+              const unsigned int i = corner_at_vertex(*other, a);
+              const unsigned int j = corner_at_vertex(*other, b);
+              const unsigned int k = corner_at_vertex(*other, c);
+              if (j == n_corners || k == n_corners)
+                continue;
+              const auto opposite =
+                static_cast<std::uint8_t>(0 + 1 + 2 + 3 - i - j - k);
+              const auto face = static_cast<FaceIndex>(faces.size());
+              faces.push_back(
+                {{cell, *other}, {static_cast<std::uint8_t>(f), opposite}});
+              cell_faces[cell][f]          = face;
+              cell_faces[*other][opposite] = face;
+              break;
+            }
+        }
+    face_states.assign(faces.size(), FaceState::intact);
+  }
+
+  unsigned int
+  Topology::corner_at_vertex(const CellIndex cell, const VertexIndex v) const
+  {
+    unsigned int c = 0;
+    while (c < n_corners && vertex(cell, c) != v)
+      ++c;
+    return c;
+  }
+
+  CellIndex
+  Topology::find_cell(const GlobalCellIndex global_index) const
+  {
+    // Ascending within each material; the padding stands at the end of each.
+    for (const MaterialRange &range : material_ranges)
+      {
+        const auto first =
+          cell_global_indices.begin() + range.begin * batch_size;
+        const auto last = cell_global_indices.begin() + range.end * batch_size;
+        const auto it   = std::lower_bound(first, last, global_index);
+        if (it != last && *it == global_index)
+          return static_cast<CellIndex>(it - cell_global_indices.begin());
+      }
+    return invalid_index;
+  }
+} // namespace rift

@@ -1,0 +1,196 @@
+#include <rift/solid/cell_kernel.h>
+#include <rift/solid/internal_force.h>
+
+#include <cmath>
+
+namespace rift
+{
+  namespace
+  {
+    /**
+     * While the squared norm of the strain is below this, no principal stretch
+     * is below 0.8 and the volume ratio needs no look.
+     */
+    constexpr double safe_strain_squared = .02;
+
+    /**
+     * Up to this squared norm of the strain, stresses in the reference and in
+     * the current frame differ by less than the margin of a StressBound.
+     */
+    constexpr double small_strain_squared = 1e-3;
+
+    /** The constants of a StressBound in the form that hot_lanes() needs. */
+    struct HotCheck
+    {
+      explicit HotCheck(const StressBound &bound)
+        : tensile_strength(bound.tensile_strength)
+        , cohesion(bound.cohesion)
+        , friction(bound.tan_friction_angle)
+        , inverse_shear_factor_squared(
+            std::pow(1 / (std::sqrt(.5) / bound.cos_friction_angle +
+                          bound.tan_friction_angle / std::sqrt(24.)),
+                     2))
+      {}
+
+      /** Where the norm of the deviator exceeds what the mean stress allows. */
+      SimdMask
+      hot_lanes(const SymmetricTensor<Simd> &s, const Simd &strain_squared) const
+      {
+        const Simd zero{};
+        const Simd mean      = (s[0] + s[1] + s[2]) * (1. / 3.);
+        const Simd deviator  = contract(s, s) - 3. * mean * mean;
+        const Simd tension   = max(tensile_strength - mean, zero);
+        const Simd shear     = max(cohesion - friction * mean, zero);
+        const Simd allowed   = min(1.5 * tension * tension,
+                                 inverse_shear_factor_squared * shear * shear);
+        return (deviator >= allowed) | (strain_squared > small_strain_squared);
+      }
+
+      double tensile_strength, cohesion, friction, inverse_shear_factor_squared;
+    };
+  } // namespace
+
+  InternalForce::InternalForce(const Topology          &topology,
+                               const ReferenceCellData &reference,
+                               std::vector<Elasticity>  laws)
+    : topology(topology)
+    , reference(reference)
+    , laws(std::move(laws))
+  {}
+
+  void
+  InternalForce::watch(std::vector<std::optional<StressBound>> new_bounds)
+  {
+    bounds = std::move(new_bounds);
+  }
+
+  std::optional<FailedCell>
+  InternalForce::add_to(State &state, Activity &activity)
+  {
+    hot.clear();
+    std::optional<FailedCell> failed;
+    for (const MaterialRange &range : topology.material_ranges)
+      {
+        const bool is_watched =
+          !bounds.empty() && bounds[range.material].has_value();
+        const auto failed_here = std::visit(
+          [&](const auto &law) {
+            using Law = std::decay_t<decltype(law)>;
+            return is_watched ?
+                     add_range<Law, true>(law, range, state, activity) :
+                     add_range<Law, false>(law, range, state, activity);
+          },
+          laws[range.material]);
+        if (!failed)
+          failed = failed_here;
+      }
+    return failed;
+  }
+
+  template <typename Law, bool is_watched>
+  std::optional<FailedCell>
+  InternalForce::add_range(const Law           &the_law,
+                           const MaterialRange &range,
+                           State               &state,
+                           Activity            &activity)
+  {
+    // A copy that nobody else can change stays in registers.
+    const Law                 law = the_law;
+    std::optional<FailedCell> failed;
+    const HotCheck            check(is_watched ? *bounds[range.material] :
+                                                 StressBound{0, 0, 0, 1});
+
+    for (std::size_t b = range.begin; b < range.end; ++b)
+      {
+        if (!activity.is_awake(b))
+          continue;
+        const BatchNodes     &nodes = topology.batches[b];
+        const ReferenceBatch &data  = reference[b];
+
+        const Matrix3<Simd> h      = gradient(data, nodes, state.displacement);
+        const auto          strain = green_lagrange_strain(h);
+        const auto          stress = law.stress(strain);
+        scatter_stress_force(
+          data, nodes, first_piola_kirchhoff(h, stress), state.force);
+
+        const Simd strain_squared = contract(strain, strain);
+        if (is_watched)
+          {
+            const SimdMask is_hot = check.hot_lanes(stress, strain_squared);
+            if (any(is_hot))
+              for (unsigned int lane = 0; lane < batch_size; ++lane)
+                if (is_hot[lane] && !topology.is_padding(b * batch_size + lane))
+                  hot.push_back(static_cast<CellIndex>(b * batch_size + lane));
+          }
+        // Written so that a strain that is not a number is caught, too.
+        if (any(~(strain_squared < safe_strain_squared)) && !failed)
+          {
+            const Simd ratio = volume_ratio(h);
+            for (unsigned int lane = 0; lane < batch_size && !failed; ++lane)
+              if (!(ratio[lane] > smallest_volume_ratio))
+                failed = {static_cast<CellIndex>(b * batch_size + lane),
+                          ratio[lane]};
+          }
+        if (!activity.has_woken_neighbours(b) && any(strain_squared > 0.))
+          activity.wake_neighbours(topology, b);
+      }
+    return failed;
+  }
+
+  Matrix3<Simd>
+  InternalForce::first_piola_kirchhoff_stress(const State      &state,
+                                              const std::size_t batch) const
+  {
+    const Matrix3<Simd> h =
+      gradient(reference[batch], topology.batches[batch], state.displacement);
+    return std::visit(
+      [&](const auto &law) {
+        return first_piola_kirchhoff(h, law.stress(green_lagrange_strain(h)));
+      },
+      laws[topology.batch_materials[batch]]);
+  }
+
+  SymmetricTensor<double>
+  InternalForce::cauchy_stress(const State &state, const CellIndex cell) const
+  {
+    // sigma = P F^T / J
+    const std::size_t  b    = cell / batch_size;
+    const unsigned int lane = cell % batch_size;
+    const auto p = first_piola_kirchhoff_stress(state, b);
+    const auto h =
+      gradient(reference[b], topology.batches[b], state.displacement);
+    const double            ratio = volume_ratio(h)[lane];
+    SymmetricTensor<double> sigma{};
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = i; j < dim; ++j)
+        {
+          double sum = p[i][j][lane];
+          for (unsigned int d = 0; d < dim; ++d)
+            sum += p[i][d][lane] * h[j][d][lane];
+          sigma[voigt[i][j]] = sum / ratio;
+        }
+    return sigma;
+  }
+
+  double
+  InternalForce::strain_energy(const State &state) const
+  {
+    Simd energy{};
+    for (const MaterialRange &range : topology.material_ranges)
+      std::visit(
+        [&](const auto &law) {
+          for (std::size_t b = range.begin; b < range.end; ++b)
+            {
+              const auto strain = green_lagrange_strain(gradient(
+                reference[b], topology.batches[b], state.displacement));
+              energy += .5 * reference[b].volume *
+                        contract(law.stress(strain), strain);
+            }
+        },
+        laws[range.material]);
+    double sum = 0;
+    for (unsigned int lane = 0; lane < batch_size; ++lane)
+      sum += energy[lane];
+    return sum;
+  }
+} // namespace rift
