@@ -1,0 +1,69 @@
+#ifndef rift_io_log_h
+#define rift_io_log_h
+
+#include <rift/base/output_file.h>
+
+#include <iosfwd>
+#include <memory>
+#include <string>
+
+namespace rift
+{
+  /**
+   * What rift tells its user: lines that go to the terminal and to log.txt.
+   * Rank 0 has the log that speaks; the others make one without a terminal
+   * and open no file.
+   */
+  class Log
+  {
+  public:
+    /**
+     * @param terminal    where lines are shown, such as std::cout; nullptr:
+     *   nowhere, for a quiet run and for ranks other than 0.
+     * @param interactive whether the terminal can rewrite its last line, as
+     *   is_terminal() says.
+     */
+    explicit Log(std::ostream *terminal, bool interactive = false);
+
+    /**
+     * From now on lines also go to the file `path`, which begins with those
+     * written before: a run can speak before it has an output directory.
+     *
+     * @throws DiskError if the file cannot be written.
+     */
+    void
+    open(const std::string &path);
+
+    /**
+     * Writes a line; `line` may itself hold several, and needs no line end.
+     * It is in the file when the call returns.
+     *
+     * @throws DiskError if the file cannot be written.
+     */
+    void
+    write(const std::string &line);
+
+    /**
+     * Shows `text` in the last line of an interactive terminal, until the
+     * next call of status() or write(). Does not go to the file.
+     */
+    void
+    status(const std::string &text);
+
+    bool
+    is_interactive() const;
+
+  private:
+    std::ostream *const         terminal;
+    const bool                  interactive;
+    bool                        status_is_shown = false;
+    std::string                 earlier_lines;
+    std::unique_ptr<OutputFile> file;
+  };
+
+  /** Whether the standard output is a terminal and not a file or a pipe. */
+  bool
+  is_terminal();
+} // namespace rift
+
+#endif

@@ -1,0 +1,35 @@
+#ifndef rift_io_output_directory_h
+#define rift_io_output_directory_h
+
+#include <string>
+
+namespace rift
+{
+  /**
+   * The first line of the parameters.prm that a run leaves among its results.
+   * A file of that name without this line is taken for a scene of the user,
+   * and never overwritten.
+   */
+  constexpr const char *parameters_marker = "# All parameters as used by rift";
+
+  /**
+   * Makes `directory` ready for the results of a run: creates it with the
+   * folders above it if need be, and sees to it that a file can be written
+   * there. Results of an older run are removed if `overwrite` says so: exactly
+   * the files that rift gives its names to, solid.pvd, solid-00000.vtu and so
+   * on, and nothing else.
+   *
+   * @throws InputError if it is not a directory, if it holds results of an
+   *   older run and `overwrite` is false, or if it holds a parameters.prm that
+   *   rift did not write; nothing has been changed then.
+   * @throws DiskError if it cannot be created or written.
+   */
+  void
+  prepare_output_directory(const std::string &directory, bool overwrite);
+
+  /** Whether rift gives this name (without folder) to a file of results. */
+  bool
+  is_result_file(const std::string &name);
+} // namespace rift
+
+#endif

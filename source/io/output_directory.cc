@@ -1,0 +1,145 @@
+#include <rift/base/exceptions.h>
+#include <rift/base/output_file.h>
+#include <rift/io/output_directory.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+namespace rift
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    bool
+    ends_with(const std::string &text, const std::string &ending)
+    {
+      return text.size() >= ending.size() &&
+             text.compare(text.size() - ending.size(), ending.size(), ending) ==
+                 0;
+    }
+
+    /** Whether `name` is `series`, a number of five digits or more, `.vtu`. */
+    bool
+    is_state_of(const std::string &series, const std::string &name)
+    {
+      const std::string start = series + "-", ending = ".vtu";
+      if (name.compare(0, start.size(), start) != 0 || !ends_with(name, ending))
+        return false;
+      const auto begin = name.begin() + start.size();
+      const auto end   = name.end() - ending.size();
+      return end - begin >= 5 &&
+             std::all_of(begin, end, [](const unsigned char c) {
+               return std::isdigit(c);
+             });
+    }
+
+    bool
+    was_written_by_rift(const fs::path &parameters)
+    {
+      std::ifstream file(parameters);
+      std::string   first_line;
+      std::getline(file, first_line);
+      return first_line == parameters_marker;
+    }
+
+    void
+    create(const std::string &directory)
+    {
+      std::error_code error;
+      const auto      status = fs::status(directory, error);
+      if (fs::exists(status) && !fs::is_directory(status))
+        throw InputError("The output directory " + directory +
+                         " is a file. Choose another name in Output / "
+                         "Directory or with --output.");
+      fs::create_directories(directory, error);
+      if (error)
+        throw_disk_error(
+            "create the output directory", directory, error.value());
+    }
+
+    /** The results of an older run, in order of their names. */
+    std::vector<fs::path>
+    find_results(const std::string &directory)
+    {
+      std::vector<fs::path>  results;
+      std::error_code        error;
+      fs::directory_iterator entry(directory, error);
+      for (; !error && entry != fs::directory_iterator();
+           entry.increment(error))
+        if (is_result_file(entry->path().filename().string()) &&
+            !fs::is_directory(entry->symlink_status()))
+          results.push_back(entry->path());
+      if (error)
+        throw_disk_error("read the output directory", directory, error.value());
+      std::sort(results.begin(), results.end());
+      return results;
+    }
+
+    /** Only an attempt tells; permission bits say nothing on some disks. */
+    void
+    check_writable(const std::string &directory)
+    {
+      AtomicFile attempt(directory + "/rift");
+      attempt.write("x");
+    }
+  } // namespace
+
+  bool
+  is_result_file(const std::string &name)
+  {
+    // A run that was killed may have left an unfinished file.
+    if (ends_with(name, ".tmp"))
+      return is_result_file(name.substr(0, name.size() - 4));
+
+    for (const char *own : {"solid.pvd",
+                            "fracture.pvd",
+                            "probes.csv",
+                            "energy.csv",
+                            "fragments.csv",
+                            "summary.json",
+                            "parameters.prm",
+                            "log.txt"})
+      if (name == own)
+        return true;
+    return is_state_of("solid", name) || is_state_of("fracture", name);
+  }
+
+  void
+  prepare_output_directory(const std::string &directory, const bool overwrite)
+  {
+    if (directory.empty())
+      throw InputError("The name of the output directory is empty. Set Output "
+                       "/ Directory or give --output.");
+    create(directory);
+    const auto results = find_results(directory);
+
+    for (const auto &path : results)
+      if (path.filename() == "parameters.prm" && !was_written_by_rift(path))
+        throw InputError("rift would write " + path.string() +
+                         ", but there is a file of that name that no earlier "
+                         "run has left. Rename it, or choose another output "
+                         "directory.");
+
+    if (!results.empty() && !overwrite)
+      throw InputError(
+          "The output directory " + directory +
+          " holds results of an older run: " + std::to_string(results.size()) +
+          (results.size() == 1 ? " file, " : " files, the first is ") +
+          results.front().filename().string() +
+          ". Choose another directory with --output, or set Output / Overwrite "
+          "to true to replace them.");
+
+    check_writable(directory);
+    for (const auto &path : results)
+    {
+      std::error_code error;
+      fs::remove(path, error);
+      if (error)
+        throw_disk_error("remove", path.string(), error.value());
+    }
+  }
+} // namespace rift

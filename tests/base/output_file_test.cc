@@ -1,0 +1,187 @@
+#include <rift/base/exceptions.h>
+#include <rift/base/output_file.h>
+
+#include "../temporary_directory.h"
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+
+using namespace rift;
+
+namespace
+{
+  /**
+   * Lets writing a file fail after `n_bytes`, as on a full disk, which takes
+   * no privilege.
+   */
+  class FileSizeLimit
+  {
+  public:
+    explicit FileSizeLimit(const rlim_t n_bytes)
+        : old_handler(std::signal(SIGXFSZ, SIG_IGN))
+    {
+      ::getrlimit(RLIMIT_FSIZE, &old_limit);
+      rlimit limit   = old_limit;
+      limit.rlim_cur = n_bytes;
+      ::setrlimit(RLIMIT_FSIZE, &limit);
+    }
+
+    ~FileSizeLimit()
+    {
+      ::setrlimit(RLIMIT_FSIZE, &old_limit);
+      std::signal(SIGXFSZ, old_handler);
+    }
+
+  private:
+    void (*old_handler)(int);
+    rlimit old_limit;
+  };
+} // namespace
+
+TEST(AtomicFile, WritesAndReplaces)
+{
+  const TemporaryDirectory directory;
+  write_file_atomically(directory / "a", "first");
+  EXPECT_EQ(read_file(directory / "a"), "first");
+
+  const std::string large(3000000, 'x');
+  write_file_atomically(directory / "a", large);
+  EXPECT_EQ(read_file(directory / "a"), large);
+  EXPECT_FALSE(std::filesystem::exists(directory / "a.tmp"));
+}
+
+TEST(AtomicFile, OldContentStaysUntilCommit)
+{
+  const TemporaryDirectory directory;
+  write_file_atomically(directory / "a", "old");
+  {
+    AtomicFile file(directory / "a");
+    file.write("ne");
+    file.write("w");
+    EXPECT_EQ(read_file(directory / "a"), "old");
+    EXPECT_EQ(read_file(directory / "a.tmp"), "new");
+  }
+  EXPECT_EQ(read_file(directory / "a"), "old");
+  EXPECT_FALSE(std::filesystem::exists(directory / "a.tmp"));
+}
+
+TEST(AtomicFile, FullDiskKeepsTheOldFile)
+{
+  const TemporaryDirectory directory;
+  write_file_atomically(directory / "a", "old");
+  std::string message;
+  {
+    const FileSizeLimit limit(1000);
+    message = message_of<DiskError>([&] {
+      write_file_atomically(directory / "a", std::string(5000, 'x'));
+    });
+  }
+  EXPECT_EQ(message,
+            "Cannot write " + (directory / "a.tmp") +
+                ": File too large. Raise the limit on the size of a file "
+                "(ulimit -f), or write to another disk.");
+  EXPECT_EQ(read_file(directory / "a"), "old");
+  EXPECT_FALSE(std::filesystem::exists(directory / "a.tmp"));
+}
+
+TEST(AtomicFile, MissingFolder)
+{
+  const TemporaryDirectory directory;
+  EXPECT_EQ(message_of<DiskError>(
+                [&] { write_file_atomically(directory / "no/a", "x"); }),
+            "Cannot create " + (directory / "no/a.tmp") +
+                ": No such file or directory. Check that its folder exists.");
+}
+
+TEST(AtomicFile, NameIsTakenByADirectory)
+{
+  const TemporaryDirectory directory;
+  std::filesystem::create_directory(directory / "a");
+  EXPECT_EQ(message_of<DiskError>(
+                [&] { write_file_atomically(directory / "a", "x"); }),
+            "Cannot write " + (directory / "a") +
+                ": Is a directory. Check the disk, or choose another output "
+                "directory.");
+  EXPECT_FALSE(std::filesystem::exists(directory / "a.tmp"));
+}
+
+TEST(DiskErrors, AdviceFitsTheReason)
+{
+  const auto message = [](const int error) {
+    return message_of<DiskError>(
+        [&] { throw_disk_error("write", "f", error); });
+  };
+  EXPECT_EQ(message(EACCES),
+            "Cannot write f: Permission denied. Choose an output directory in "
+            "which you may write.");
+  EXPECT_EQ(message(EROFS),
+            "Cannot write f: Read-only file system. Choose an output directory "
+            "in which you may write.");
+  EXPECT_EQ(message(EDQUOT),
+            "Cannot write f: Disk quota exceeded. Make room on this disk, or "
+            "write to another one.");
+}
+
+TEST(HistoryFile, HeaderAndRows)
+{
+  const TemporaryDirectory directory;
+  HistoryFile file(directory / "p.csv", {"time [s]", "fspv [m/s]", "a,\"b\""});
+  const std::string header = "time [s],fspv [m/s],\"a,\"\"b\"\"\"\n";
+  EXPECT_EQ(read_file(directory / "p.csv"), header);
+  file.append({0, 0.1, -3});
+  file.append({1e-6, 1. / 3, 1e300});
+  file.flush();
+  EXPECT_EQ(read_file(directory / "p.csv"),
+            header + "0,0.1,-3\n1e-06,0.3333333333333333,1e+300\n");
+}
+
+TEST(HistoryFile, KeepsRowsWhenTheRunEndsEarly)
+{
+  const TemporaryDirectory directory;
+  {
+    HistoryFile file(directory / "p.csv", {"t"});
+    file.append({5});
+  }
+  EXPECT_EQ(read_file(directory / "p.csv"), "t\n5\n");
+}
+
+TEST(HistoryFile, ManyRowsComeWithoutFlush)
+{
+  const TemporaryDirectory directory;
+  HistoryFile              file(directory / "p.csv", {"t"});
+  for (unsigned int i = 0; i < 70000; ++i)
+    file.append({1});
+  EXPECT_GE(std::filesystem::file_size(directory / "p.csv"), 131072u);
+}
+
+TEST(HistoryFile, FullDiskAtTheHeader)
+{
+  EXPECT_EQ(message_of<DiskError>([] { HistoryFile("/dev/full", {"t"}); }),
+            "Cannot write /dev/full: No space left on device. Make room on "
+            "this disk, or write to another one.");
+}
+
+TEST(HistoryFile, FullDiskLater)
+{
+  const TemporaryDirectory directory;
+  HistoryFile              file(directory / "p.csv", {"t"});
+  file.append({1});
+  {
+    const FileSizeLimit limit(2);
+    EXPECT_EQ(message_of<DiskError>([&] { file.flush(); }),
+              "Cannot write " + (directory / "p.csv") +
+                  ": File too large. Raise the limit on the size of a file "
+                  "(ulimit -f), or write to another disk.");
+  }
+  file.flush();
+  EXPECT_EQ(read_file(directory / "p.csv"), "t\n");
+}
+
+TEST(HistoryFile, WrongNumberOfValues)
+{
+  const TemporaryDirectory directory;
+  HistoryFile              file(directory / "p.csv", {"t", "x"});
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { file.append({1}); }),
+            "HistoryFile: a row of 1 values in a table of 2 columns");
+}

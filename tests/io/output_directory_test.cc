@@ -1,0 +1,129 @@
+#include <rift/base/exceptions.h>
+#include <rift/io/output_directory.h>
+
+#include "../temporary_directory.h"
+#include <gtest/gtest.h>
+
+using namespace rift;
+using std::filesystem::exists;
+
+TEST(OutputDirectory, IsCreatedWithItsParents)
+{
+  const TemporaryDirectory directory;
+  prepare_output_directory(directory / "a/b/c", false);
+  EXPECT_TRUE(std::filesystem::is_directory(directory / "a/b/c"));
+  EXPECT_TRUE(std::filesystem::is_empty(directory / "a/b/c"));
+  prepare_output_directory(directory / "a/b/c", false);
+}
+
+TEST(OutputDirectory, OlderResultsAreRefused)
+{
+  const TemporaryDirectory directory;
+  write_file(directory / "summary.json", "{}");
+  write_file(directory / "energy.csv", "t");
+  EXPECT_EQ(message_of<InputError>(
+                [&] { prepare_output_directory(directory.path, false); }),
+            "The output directory " + directory.path +
+                " holds results of an older run: 2 files, the first is "
+                "energy.csv. Choose another directory with --output, or set "
+                "Output / Overwrite to true to replace them.");
+  EXPECT_EQ(read_file(directory / "summary.json"), "{}");
+}
+
+TEST(OutputDirectory, OverwriteRemovesOnlyResults)
+{
+  const TemporaryDirectory directory;
+  const auto               own    = {"solid.pvd",
+                                     "fracture.pvd",
+                                     "solid-00000.vtu",
+                                     "fracture-00012.vtu",
+                                     "probes.csv",
+                                     "energy.csv",
+                                     "fragments.csv",
+                                     "summary.json",
+                                     "log.txt",
+                                     "solid-100000.vtu",
+                                     "solid.pvd.tmp"};
+  const auto               others = {"pulse.csv",
+                                     "spalling.prm",
+                                     "solid-1.vtu",
+                                     "solid-0000x.vtu",
+                                     "my-solid-00000.vtu",
+                                     "solid-00000.vtu.bak",
+                                     "notes.txt",
+                                     "view.pvsm"};
+  for (const std::string name : own)
+    write_file(directory / name, "x");
+  for (const std::string name : others)
+    write_file(directory / name, "x");
+  write_file(directory / "parameters.prm",
+             std::string(parameters_marker) + "\nset End time = 1\n");
+  std::filesystem::create_directory(directory / "solid-00001.vtu");
+
+  prepare_output_directory(directory.path, true);
+  for (const std::string name : own)
+    EXPECT_FALSE(exists(directory / name)) << name;
+  EXPECT_FALSE(exists(directory / "parameters.prm"));
+  for (const std::string name : others)
+    EXPECT_EQ(read_file(directory / name), "x") << name;
+  EXPECT_TRUE(exists(directory / "solid-00001.vtu"));
+  EXPECT_FALSE(exists(directory / "rift.tmp"));
+}
+
+TEST(OutputDirectory, ForeignFilesAreNoResults)
+{
+  const TemporaryDirectory directory;
+  write_file(directory / "pulse.csv", "x");
+  prepare_output_directory(directory.path, false);
+  EXPECT_EQ(read_file(directory / "pulse.csv"), "x");
+}
+
+TEST(OutputDirectory, SceneOfTheUserIsKept)
+{
+  const TemporaryDirectory directory;
+  write_file(directory / "parameters.prm", "set Title = mine\n");
+  write_file(directory / "log.txt", "x");
+  for (const bool overwrite : {false, true})
+    EXPECT_EQ(message_of<InputError>(
+                  [&] { prepare_output_directory(directory.path, overwrite); }),
+              "rift would write " + (directory / "parameters.prm") +
+                  ", but there is a file of that name that no earlier run has "
+                  "left. Rename it, or choose another output directory.");
+  EXPECT_EQ(read_file(directory / "parameters.prm"), "set Title = mine\n");
+  EXPECT_EQ(read_file(directory / "log.txt"), "x");
+}
+
+TEST(OutputDirectory, IsAFile)
+{
+  const TemporaryDirectory directory;
+  write_file(directory / "f", "");
+  EXPECT_EQ(message_of<InputError>(
+                [&] { prepare_output_directory(directory / "f", true); }),
+            "The output directory " + (directory / "f") +
+                " is a file. Choose another name in Output / Directory or with "
+                "--output.");
+  EXPECT_EQ(message_of<DiskError>(
+                [&] { prepare_output_directory(directory / "f/g", true); }),
+            "Cannot create the output directory " + (directory / "f/g") +
+                ": Not a directory. Check that its folder exists.");
+}
+
+TEST(OutputDirectory, EmptyName)
+{
+  EXPECT_EQ(message_of<InputError>([] { prepare_output_directory("", true); }),
+            "The name of the output directory is empty. Set Output / Directory "
+            "or give --output.");
+}
+
+TEST(OutputDirectory, IsNotWritable)
+{
+  // Not even root can create anything here.
+  EXPECT_EQ(message_of<DiskError>([] {
+              prepare_output_directory("/proc/rift", false);
+            }).substr(0, 48),
+            "Cannot create the output directory /proc/rift: N");
+  EXPECT_EQ(message_of<DiskError>([] {
+              prepare_output_directory("/proc", false);
+            }).substr(0, 28),
+            "Cannot create /proc/rift.tmp");
+}

@@ -1,0 +1,280 @@
+#include <rift/base/exceptions.h>
+#include <rift/io/vtu_output.h>
+
+#include "../temporary_directory.h"
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <cmath>
+#include <cstring>
+
+using namespace rift;
+
+namespace
+{
+  /** The value of an attribute of an XML element. */
+  std::string
+  attribute(const std::string &element, const std::string &name)
+  {
+    const auto start = element.find(" " + name + "=\"");
+    if (start == std::string::npos)
+      return "(none)";
+    const auto begin = start + name.size() + 3;
+    return element.substr(begin, element.find('"', begin) - begin);
+  }
+
+  /** A reader that shares no code with the writer. */
+  class VtuFile
+  {
+  public:
+    explicit VtuFile(const std::string &path)
+        : content(read_file(path))
+        , data_begin(content.find("encoding=\"raw\">\n_") + 17)
+    {
+    }
+
+    /** The element that begins with `text`. */
+    std::string
+    element(const std::string &text) const
+    {
+      const auto begin = content.find(text);
+      if (begin == std::string::npos)
+        return "(none)";
+      return content.substr(begin, content.find('>', begin) - begin + 1);
+    }
+
+    std::string
+    array_element(const std::string &name) const
+    {
+      const auto at = content.find(" Name=\"" + name + "\"");
+      if (at == std::string::npos)
+        return "(none)";
+      return element(
+          content.substr(content.rfind('<', at),
+                         content.find('>', at) - content.rfind('<', at) + 1));
+    }
+
+    template <typename Number>
+    std::vector<Number>
+    array(const std::string &name) const
+    {
+      const char *header =
+          &content[data_begin +
+                   std::stoul(attribute(array_element(name), "offset"))];
+      const auto number = [&](const std::size_t i) {
+        std::uint64_t value;
+        std::memcpy(&value, header + 8 * i, 8);
+        return value;
+      };
+      const std::uint64_t n_blocks = number(0), block = number(1);
+      const char         *compressed = header + 8 * (3 + n_blocks);
+      std::string         bytes;
+      for (std::uint64_t i = 0; i < n_blocks; ++i)
+      {
+        const bool partial  = i + 1 == n_blocks && number(2) > 0;
+        uLongf     size     = partial ? number(2) : block;
+        const auto expected = size;
+        bytes.resize(bytes.size() + size);
+        EXPECT_EQ(
+            uncompress(reinterpret_cast<Bytef *>(&bytes[bytes.size() - size]),
+                       &size,
+                       reinterpret_cast<const Bytef *>(compressed),
+                       number(3 + i)),
+            Z_OK);
+        EXPECT_EQ(size, expected);
+        compressed += number(3 + i);
+      }
+      std::vector<Number> result(bytes.size() / sizeof(Number));
+      std::memcpy(result.data(), bytes.data(), bytes.size());
+      return result;
+    }
+
+    std::string content;
+
+  private:
+    std::size_t data_begin;
+  };
+
+  /** Two tetrahedra that share a face. */
+  Solution
+  two_tetrahedra()
+  {
+    Solution solution;
+    solution.points = {{{0, 0, 0}},
+                       {{1, 0, 0}},
+                       {{0, 1, 0}},
+                       {{0, 0, 1}},
+                       {{123456.000001, 1, 1}}};
+    solution.cells  = {0, 1, 2, 3, 1, 2, 3, 4};
+    OutputField velocity{"velocity [m/s]", 3, {}};
+    for (unsigned int i = 0; i < 15; ++i)
+      velocity.values.push_back(0.5f * i);
+    solution.point_data = {velocity, {"a <\"&> b", 1, {1, 2, 3, 4, 5}}};
+    solution.cell_data  = {
+         {"stress [Pa]", 6, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}}};
+    return solution;
+  }
+} // namespace
+
+TEST(VtuOutput, TetrahedraReadBack)
+{
+  const TemporaryDirectory directory;
+  const Solution           solution = two_tetrahedra();
+  write_vtu(directory / "s.vtu", 1.5e-6, solution);
+  const VtuFile file(directory / "s.vtu");
+
+  const std::string piece = file.element("<Piece");
+  EXPECT_EQ(attribute(piece, "NumberOfPoints"), "5");
+  EXPECT_EQ(attribute(piece, "NumberOfCells"), "2");
+  EXPECT_NE(file.content.find(">1.5e-06</DataArray>"), std::string::npos);
+
+  EXPECT_EQ(attribute(file.array_element("Points"), "type"), "Float64");
+  const auto points = file.array<double>("Points");
+  ASSERT_EQ(points.size(), 15u);
+  EXPECT_EQ(points[12], 123456.000001);
+  for (unsigned int i = 0; i < 15; ++i)
+    EXPECT_EQ(points[i], solution.points[i / 3][i % 3]);
+
+  EXPECT_EQ(file.array<std::uint32_t>("connectivity"), solution.cells);
+  EXPECT_EQ(file.array<std::int32_t>("offsets"),
+            (std::vector<std::int32_t>{4, 8}));
+  EXPECT_EQ(file.array<std::uint8_t>("types"),
+            (std::vector<std::uint8_t>{10, 10}));
+}
+
+TEST(VtuOutput, FieldsReadBack)
+{
+  const TemporaryDirectory directory;
+  const Solution           solution = two_tetrahedra();
+  write_vtu(directory / "s.vtu", 0, solution);
+  const VtuFile file(directory / "s.vtu");
+
+  EXPECT_EQ(file.array<float>("velocity [m/s]"), solution.point_data[0].values);
+  EXPECT_EQ(
+      attribute(file.array_element("velocity [m/s]"), "NumberOfComponents"),
+      "3");
+  EXPECT_EQ(file.array<float>("a &lt;&quot;&amp;&gt; b"),
+            solution.point_data[1].values);
+
+  // From xx yy zz yz xz xy to xx yy zz xy yz xz.
+  EXPECT_EQ(file.array<float>("stress [Pa]"),
+            (std::vector<float>{1, 2, 3, 6, 4, 5, 7, 8, 9, 12, 10, 11}));
+  const std::string stress = file.array_element("stress [Pa]");
+  EXPECT_EQ(attribute(stress, "NumberOfComponents"), "6");
+  EXPECT_EQ(attribute(stress, "ComponentName3"), "XY");
+
+  const auto point_data = file.content.find("<PointData>");
+  const auto cell_data  = file.content.find("<CellData>");
+  EXPECT_LT(point_data, file.content.find("velocity"));
+  EXPECT_LT(file.content.find("velocity"), cell_data);
+  EXPECT_LT(cell_data, file.content.find("stress"));
+}
+
+TEST(VtuOutput, ManyBlocks)
+{
+  const TemporaryDirectory directory;
+  Solution                 solution;
+  solution.nodes_per_cell = 3;
+  // 65536 cells: the connectivity is three full blocks, no partial one.
+  const unsigned int n_cells = 65536;
+  OutputField        damage{"damage", 1, {}};
+  for (unsigned int i = 0; i < n_cells; ++i)
+  {
+    solution.points.push_back({{0.1 * i, 1. / (i + 1), 0}});
+    for (unsigned int a = 0; a < 3; ++a)
+      solution.cells.push_back((7919u * i + a) % n_cells);
+    damage.values.push_back(std::sin(i));
+  }
+  solution.cell_data = {damage};
+  write_vtu(directory / "f.vtu", 0, solution);
+
+  const VtuFile file(directory / "f.vtu");
+  EXPECT_EQ(file.array<std::uint32_t>("connectivity"), solution.cells);
+  EXPECT_EQ(file.array<float>("damage"), damage.values);
+  EXPECT_EQ(file.array<std::uint8_t>("types"),
+            std::vector<std::uint8_t>(n_cells, 5));
+  const auto points = file.array<double>("Points");
+  ASSERT_EQ(points.size(), 3 * n_cells);
+  EXPECT_EQ(points[3 * 1234 + 1], 1. / 1235);
+}
+
+TEST(VtuOutput, NothingBrokenYet)
+{
+  const TemporaryDirectory directory;
+  Solution                 solution;
+  solution.nodes_per_cell = 3;
+  solution.cell_data      = {{"damage", 1, {}}};
+  write_vtu(directory / "f.vtu", 0, solution);
+  const VtuFile file(directory / "f.vtu");
+  EXPECT_EQ(attribute(file.element("<Piece"), "NumberOfCells"), "0");
+  EXPECT_TRUE(file.array<float>("damage").empty());
+}
+
+TEST(VtuOutput, TwoRunsGiveTheSameFile)
+{
+  const TemporaryDirectory directory;
+  write_vtu(directory / "1.vtu", 0, two_tetrahedra());
+  write_vtu(directory / "2.vtu", 0, two_tetrahedra());
+  EXPECT_EQ(read_file(directory / "1.vtu"), read_file(directory / "2.vtu"));
+}
+
+TEST(VtuOutput, WrongSizes)
+{
+  const auto message = [](const Solution &solution) {
+    return message_of<std::logic_error>(
+        [&] { write_vtu("/dev/null", 0, solution); });
+  };
+  Solution solution = two_tetrahedra();
+  solution.point_data[0].values.pop_back();
+  EXPECT_EQ(message(solution),
+            "write_vtu: field velocity [m/s] has 14 values instead of 15");
+  solution                           = two_tetrahedra();
+  solution.cell_data[0].n_components = 2;
+  EXPECT_EQ(message(solution),
+            "write_vtu: field stress [Pa] has 2 components instead of 1, 3 or "
+            "6");
+  solution          = two_tetrahedra();
+  solution.cells[7] = 5;
+  EXPECT_EQ(message(solution),
+            "write_vtu: a cell has a node that does not exist");
+  solution.cells.pop_back();
+  EXPECT_EQ(message(solution), "write_vtu: the last cell is incomplete");
+  solution.nodes_per_cell = 8;
+  EXPECT_EQ(message(solution),
+            "write_vtu: cells have 8 nodes instead of 3 or 4");
+}
+
+TEST(SolutionSeries, ListsAllStates)
+{
+  const TemporaryDirectory directory;
+  SolutionSeries           series(directory.path, "solid");
+  series.write(0, two_tetrahedra());
+  const std::string start = "<?xml version=\"1.0\"?>\n"
+                            "<VTKFile type=\"Collection\" version=\"1.0\">\n"
+                            "<Collection>\n";
+  const std::string first =
+      "<DataSet timestep=\"0\" part=\"0\" file=\"solid-00000.vtu\"/>\n";
+  const std::string end = "</Collection>\n</VTKFile>\n";
+  EXPECT_EQ(read_file(directory / "solid.pvd"), start + first + end);
+
+  Solution moved  = two_tetrahedra();
+  moved.points[0] = {{-1, 0, 0}};
+  series.write(2e-5, moved);
+  EXPECT_EQ(read_file(directory / "solid.pvd"),
+            start + first +
+                "<DataSet timestep=\"2e-05\" part=\"0\" "
+                "file=\"solid-00001.vtu\"/>\n" +
+                end);
+  EXPECT_EQ(VtuFile(directory / "solid-00000.vtu").array<double>("Points")[0],
+            0);
+  EXPECT_EQ(VtuFile(directory / "solid-00001.vtu").array<double>("Points")[0],
+            -1);
+}
+
+TEST(SolutionSeries, DirectoryIsGone)
+{
+  EXPECT_EQ(message_of<DiskError>([] {
+              SolutionSeries("/proc/rift", "solid").write(0, {});
+            }).substr(0, 50),
+            "Cannot create /proc/rift/solid-00000.vtu.tmp: No s");
+}
