@@ -1,6 +1,13 @@
 #ifndef rift_cohesive_cohesive_parameters_h
 #define rift_cohesive_cohesive_parameters_h
 
+#include <rift/base/parameter_errors.h>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
 namespace rift
 {
   /** The cohesive zone model: subsection `Fracture` of the .prm. */
@@ -23,6 +30,22 @@ namespace rift
 
     /** Start of the random numbers of the Weibull scatter. */
     unsigned int seed = 1;
+
+    /** Declares the entries of subsection Fracture. */
+    static void
+    declare(dealii::ParameterHandler &prm);
+
+    /** Reads subsection Fracture. */
+    static CohesiveParameters
+    parse(dealii::ParameterHandler &prm);
+
+    /** Throws ParameterError for a stiffness factor that is not positive. */
+    void
+    check() const;
+
+    /** What has no effect without a model. */
+    std::vector<InertEntries>
+    inert_entries() const;
   };
 } // namespace rift
 

@@ -1,9 +1,15 @@
 #ifndef rift_io_output_parameters_h
 #define rift_io_output_parameters_h
 
+#include <rift/base/parameter_file.h>
 #include <rift/base/vector3.h>
 
 #include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
 
 namespace rift
 {
@@ -21,6 +27,18 @@ namespace rift
 
     /** Whether results of an older run may be replaced. */
     bool overwrite = false;
+
+    /** Declares the entries of subsection Output. */
+    static void
+    declare(dealii::ParameterHandler &prm);
+
+    /** Reads subsection Output. */
+    static OutputParameters
+    parse(dealii::ParameterHandler &prm);
+
+    /** Throws ParameterError for an empty directory or a negative interval. */
+    void
+    check() const;
   };
 
   /** Subsection `Probe NAME`: one column of probes.csv. */
@@ -45,6 +63,23 @@ namespace rift
 
     /** A point of the undeformed body, m. */
     Vector3<double> point = {{0, 0, 0}};
+
+    /** Declares the entries of subsection `Probe NAME`. */
+    static void
+    declare(dealii::ParameterHandler &prm, const std::string &name);
+
+    /**
+     * Reads subsection `Probe NAME`. Throws ParameterError if it has neither a
+     * boundary nor a point; having both is reported as an inert entry.
+     */
+    static ProbeParameters
+    parse(dealii::ParameterHandler &prm,
+          const std::string        &name,
+          const ParameterFile      &scene);
+
+    /** The point has no effect where a boundary is given. */
+    std::vector<InertEntries>
+    inert_entries() const;
   };
 } // namespace rift
 

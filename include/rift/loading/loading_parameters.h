@@ -1,9 +1,15 @@
 #ifndef rift_loading_loading_parameters_h
 #define rift_loading_loading_parameters_h
 
+#include <rift/base/parameter_file.h>
 #include <rift/base/vector3.h>
 
 #include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
 
 namespace rift
 {
@@ -25,6 +31,23 @@ namespace rift
 
     /** Prescribed components of the velocity, m/s. */
     std::array<std::string, 3> velocity;
+
+    /** Declares the entries of subsection `Boundary NAME`. */
+    static void
+    declare(dealii::ParameterHandler &prm, const std::string &name);
+
+    /** Reads `Boundary NAME`; `scene` tells from where paths start. */
+    static BoundaryParameters
+    parse(dealii::ParameterHandler &prm,
+          const std::string        &name,
+          const ParameterFile      &scene);
+
+    /**
+     * Throws ParameterError for a boundary without any condition, a component
+     * with both traction and velocity, and a table that does not exist.
+     */
+    void
+    check() const;
   };
 
   /** Subsection `Body force`. */
@@ -32,6 +55,14 @@ namespace rift
   {
     /** Acceleration of gravity, m/s^2. */
     Vector3<double> gravity = {{0, 0, 0}};
+
+    /** Declares the entries of subsection `Body force`. */
+    static void
+    declare(dealii::ParameterHandler &prm);
+
+    /** Reads subsection `Body force`. */
+    static BodyForceParameters
+    parse(dealii::ParameterHandler &prm);
   };
 } // namespace rift
 

@@ -1,10 +1,17 @@
 #ifndef rift_material_material_parameters_h
 #define rift_material_material_parameters_h
 
+#include <rift/base/parameter_errors.h>
 #include <rift/base/vector3.h>
 
 #include <array>
 #include <string>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
 
 namespace rift
 {
@@ -61,6 +68,35 @@ namespace rift
 
     /** Weibull modulus of the scatter of both strengths; 0: no scatter. */
     double weibull_modulus = 0;
+
+    /** Declares the entries of subsection `Material NAME`. */
+    static void
+    declare(dealii::ParameterHandler &prm, const std::string &name);
+
+    /** Reads subsection `Material NAME`; degrees become rad. */
+    static MaterialParameters
+    parse(dealii::ParameterHandler &prm, const std::string &name);
+
+    /**
+     * Throws ParameterError for a density outside 500..25000 kg/m^3, a P-wave
+     * speed outside 100..15000 m/s (both mostly a wrong unit), moduli that
+     * store negative energy, parallel axes, a negative viscosity, negative
+     * strengths or fracture energies, a friction angle outside [0, 90) degrees
+     * and a Weibull modulus between 0 and 1.
+     */
+    void
+    check() const;
+
+    /**
+     * Throws ParameterError if the material may break and one of its strengths
+     * or fracture energies is zero.
+     */
+    void
+    check_breakable() const;
+
+    /** What its elasticity and being unbreakable leave without effect. */
+    std::vector<InertEntries>
+    inert_entries() const;
   };
 } // namespace rift
 

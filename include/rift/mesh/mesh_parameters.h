@@ -1,10 +1,16 @@
 #ifndef rift_mesh_mesh_parameters_h
 #define rift_mesh_mesh_parameters_h
 
+#include <rift/base/parameter_file.h>
 #include <rift/base/vector3.h>
 
 #include <map>
 #include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
 
 namespace rift
 {
@@ -38,6 +44,29 @@ namespace rift
 
     /** The only material of a built-in shape. */
     std::string material = "rock";
+
+    /** Declares the entries of subsection Mesh. */
+    static void
+    declare(dealii::ParameterHandler &prm);
+
+    /**
+     * Reads subsection Mesh; `scene` tells from where paths start. Throws
+     * ParameterError if `Parameters` is not a list of NAME=NUMBER.
+     */
+    static MeshParameters
+    parse(dealii::ParameterHandler &prm, const ParameterFile &scene);
+
+    /**
+     * Throws ParameterError for a file that does not exist or is no .geo or
+     * .msh, for sizes that are not positive, and for an element size that is
+     * larger than the body or makes more cells than indices can count.
+     */
+    void
+    check() const;
+
+    /** What the choice of the shape leaves without effect. */
+    std::vector<InertEntries>
+    inert_entries() const;
   };
 } // namespace rift
 

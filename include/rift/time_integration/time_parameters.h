@@ -1,6 +1,13 @@
 #ifndef rift_time_integration_time_parameters_h
 #define rift_time_integration_time_parameters_h
 
+#include <rift/base/parameter_errors.h>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
 namespace rift
 {
   /** Subsection `Time` of the .prm. */
@@ -20,6 +27,29 @@ namespace rift
      * fraction of the energy that has been put in.
      */
     double largest_residual = 0.1;
+
+    /** Declares the entries of subsection Time. */
+    static void
+    declare(dealii::ParameterHandler &prm);
+
+    /**
+     * Reads subsection Time. Throws ParameterError if the time step is neither
+     * `auto` nor a positive number.
+     */
+    static TimeParameters
+    parse(dealii::ParameterHandler &prm);
+
+    /**
+     * Throws ParameterError for an end time that is not positive, a time step
+     * beyond it, a safety factor outside (0, 1], a residual that is not
+     * positive.
+     */
+    void
+    check() const;
+
+    /** What has no effect with a fixed time step. */
+    std::vector<InertEntries>
+    inert_entries() const;
   };
 } // namespace rift
 

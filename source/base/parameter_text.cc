@@ -1,0 +1,125 @@
+#include <rift/base/parameter_text.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <numeric>
+#include <sstream>
+
+namespace rift
+{
+  namespace
+  {
+    std::string
+    lower_case(std::string text)
+    {
+      for (char &c : text)
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      return text;
+    }
+
+    // Levenshtein's distance, row by row.
+    std::size_t
+    edit_distance(const std::string &a, const std::string &b)
+    {
+      std::vector<std::size_t> row(b.size() + 1);
+      std::iota(row.begin(), row.end(), 0);
+      for (std::size_t i = 1; i <= a.size(); ++i)
+      {
+        std::size_t diagonal = row[0];
+        row[0]               = i;
+        for (std::size_t j = 1; j <= b.size(); ++j)
+        {
+          const std::size_t replaced =
+              diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+          diagonal = row[j];
+          row[j]   = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+        }
+      }
+      return row.back();
+    }
+  } // namespace
+
+  std::string
+  short_text(const double number)
+  {
+    char buffer[40];
+    std::snprintf(buffer, sizeof(buffer), "%.4g", number);
+    return buffer;
+  }
+
+  std::string
+  simplified(const std::string &text)
+  {
+    std::istringstream words(text);
+    std::string        word, result;
+    while (words >> word)
+      result += (result.empty() ? "" : " ") + word;
+    return result;
+  }
+
+  std::string
+  excerpt(const std::string &text)
+  {
+    constexpr std::size_t longest = 60;
+    std::string           result  = text.substr(0, longest);
+    for (char &c : result)
+      if (std::iscntrl(static_cast<unsigned char>(c)))
+        c = '?';
+    return text.size() > longest ? result + "..." : result;
+  }
+
+  bool
+  ends_with(const std::string &text, const std::string &ending)
+  {
+    return text.size() >= ending.size() &&
+           text.compare(text.size() - ending.size(), ending.size(), ending) ==
+               0;
+  }
+
+  std::string
+  enumeration(const std::vector<std::string> &words)
+  {
+    std::string result;
+    for (std::size_t i = 0; i < words.size(); ++i)
+      result +=
+          (i == 0 ? "" : (i + 1 == words.size() ? " or " : ", ")) + words[i];
+    return result;
+  }
+
+  std::string
+  nearest_name(const std::string              &name,
+               const std::vector<std::string> &candidates)
+  {
+    const std::string wanted = lower_case(name);
+    std::string       nearest;
+    std::size_t       smallest = std::string::npos;
+    for (const std::string &candidate : candidates)
+    {
+      const std::string known = lower_case(candidate);
+      // An abbreviation is near however much has been left out.
+      const bool part =
+          wanted.size() >= 3 && known.find(wanted) != std::string::npos;
+      const std::size_t distance = part ? 1 : edit_distance(wanted, known);
+      const std::size_t largest =
+          std::max<std::size_t>(2, std::min(wanted.size(), known.size()) / 3);
+      if (distance < smallest && distance <= largest &&
+          distance < std::max(wanted.size(), known.size()))
+      {
+        smallest = distance;
+        nearest  = candidate;
+      }
+    }
+    return nearest;
+  }
+
+  std::string
+  suggestion(const std::string              &name,
+             const std::vector<std::string> &candidates)
+  {
+    const std::string nearest = nearest_name(name, candidates);
+    if (!nearest.empty())
+      return " Did you mean \"" + nearest + "\"?";
+    return " Known are " + enumeration(candidates) + ".";
+  }
+} // namespace rift

@@ -1,0 +1,142 @@
+#include <deal.II/base/parameter_handler.h>
+
+#include <rift/base/parameter_declarations.h>
+#include <rift/base/parameter_text.h>
+#include <rift/loading/loading_parameters.h>
+
+#include <filesystem>
+
+namespace rift
+{
+  namespace
+  {
+    const std::array<std::string, 3> axes = {{"x", "y", "z"}};
+
+    std::string
+    section_of(const std::string &name)
+    {
+      return "Boundary " + name;
+    }
+
+    // A .csv is a table, whose path has to be resolved; all else is taken as
+    // an expression.
+    std::string
+    parse_function(dealii::ParameterHandler &prm,
+                   const std::string        &section,
+                   const std::string        &name,
+                   const ParameterFile      &scene)
+    {
+      const std::string text = prm.get(name);
+      return ends_with(text, ".csv") ? scene.resolve(section, name, text)
+                                     : text;
+    }
+
+    void
+    check_table(const std::string &section,
+                const std::string &name,
+                const std::string &function)
+    {
+      if (ends_with(function, ".csv") &&
+          !std::filesystem::is_regular_file(function))
+        throw ParameterError(section,
+                             name,
+                             "there is no file \"" + function +
+                                 "\". Paths are relative to the .prm.");
+    }
+  } // namespace
+
+  void
+  BoundaryParameters::declare(dealii::ParameterHandler &prm,
+                              const std::string        &name)
+  {
+    const dealii::Patterns::Anything function;
+    prm.enter_subsection(section_of(name));
+    prm.declare_entry("Pressure",
+                      "",
+                      function,
+                      "Function of time: pressure normal to the deformed "
+                      "surface, positive in compression. Units: Pa.");
+    for (const std::string &axis : axes)
+      prm.declare_entry("Traction " + axis,
+                        "",
+                        function,
+                        "Function of time: force along " + axis +
+                            " per area of the undeformed surface. Units: Pa.");
+    for (const std::string &axis : axes)
+      prm.declare_entry("Velocity " + axis,
+                        "",
+                        function,
+                        "Function of time: prescribed velocity along " + axis +
+                            "; 0 holds the surface. Units: m/s.");
+    prm.leave_subsection();
+  }
+
+  BoundaryParameters
+  BoundaryParameters::parse(dealii::ParameterHandler &prm,
+                            const std::string        &name,
+                            const ParameterFile      &scene)
+  {
+    const std::string  section = section_of(name);
+    BoundaryParameters result;
+    result.name = name;
+    prm.enter_subsection(section);
+    result.pressure = parse_function(prm, section, "Pressure", scene);
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      result.traction[d] =
+          parse_function(prm, section, "Traction " + axes[d], scene);
+      result.velocity[d] =
+          parse_function(prm, section, "Velocity " + axes[d], scene);
+    }
+    prm.leave_subsection();
+    return result;
+  }
+
+  void
+  BoundaryParameters::check() const
+  {
+    const std::string section = section_of(name);
+    bool              is_free = pressure.empty();
+    check_table(section, "Pressure", pressure);
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      check_table(section, "Traction " + axes[d], traction[d]);
+      check_table(section, "Velocity " + axes[d], velocity[d]);
+      is_free = is_free && traction[d].empty() && velocity[d].empty();
+      if (!traction[d].empty() && !velocity[d].empty())
+        throw ParameterError(section,
+                             "Velocity " + axes[d],
+                             "Traction " + axes[d] +
+                                 " is set too, but a component has either a "
+                                 "traction or a velocity. Remove one of the "
+                                 "two.");
+    }
+    if (is_free)
+      throw ParameterError(section,
+                           "Pressure",
+                           "nor is any other condition of this boundary. Set "
+                           "one, or remove the subsection: without it the "
+                           "surface is free.");
+  }
+
+  void
+  BodyForceParameters::declare(dealii::ParameterHandler &prm)
+  {
+    prm.enter_subsection("Body force");
+    declare_vector(prm,
+                   "Gravity",
+                   BodyForceParameters().gravity,
+                   "Acceleration of gravity along x, y, z. Units: m/s^2.");
+    prm.leave_subsection();
+  }
+
+  BodyForceParameters
+  BodyForceParameters::parse(dealii::ParameterHandler &prm)
+  {
+    BodyForceParameters result;
+    prm.enter_subsection("Body force");
+    result.gravity = get_vector(prm, "Gravity");
+    prm.leave_subsection();
+    return result;
+  }
+} // namespace rift

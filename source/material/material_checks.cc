@@ -1,0 +1,203 @@
+#include <rift/base/parameter_text.h>
+#include <rift/material/material_parameters.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rift
+{
+  namespace
+  {
+    using Matrix6 = std::array<std::array<double, 6>, 6>;
+
+    // The stiffness in Kelvin's form, in which stress and strain are vectors
+    // with the same scalar product and eigenvalues do not depend on the axes.
+    Matrix6
+    kelvin_matrix(const std::array<double, 21> &stiffness)
+    {
+      Matrix6      result;
+      unsigned int k = 0;
+      for (unsigned int i = 0; i < 6; ++i)
+        for (unsigned int j = i; j < 6; ++j, ++k)
+        {
+          const double factor = (i < 3 ? 1 : M_SQRT2) * (j < 3 ? 1 : M_SQRT2);
+          result[i][j] = result[j][i] = factor * stiffness[k];
+        }
+      return result;
+    }
+
+    // By Jacobi's rotations, which make one entry beside the diagonal zero
+    // after the other; ten sweeps are more than six rows ever need.
+    double
+    smallest_eigenvalue(Matrix6 a)
+    {
+      for (unsigned int sweep = 0; sweep < 10; ++sweep)
+        for (unsigned int p = 0; p < 5; ++p)
+          for (unsigned int q = p + 1; q < 6; ++q)
+          {
+            const double angle =
+                0.5 * std::atan2(2 * a[p][q], a[q][q] - a[p][p]);
+            const double c = std::cos(angle), s = std::sin(angle);
+            for (unsigned int k = 0; k < 6; ++k)
+            {
+              const double kp = a[k][p], kq = a[k][q];
+              a[k][p] = c * kp - s * kq;
+              a[k][q] = s * kp + c * kq;
+            }
+            for (unsigned int k = 0; k < 6; ++k)
+            {
+              const double pk = a[p][k], qk = a[q][k];
+              a[p][k] = c * pk - s * qk;
+              a[q][k] = s * pk + c * qk;
+            }
+          }
+      double result = a[0][0];
+      for (unsigned int i = 1; i < 6; ++i)
+        result = std::min(result, a[i][i]);
+      return result;
+    }
+
+    /** Throws with the subsection of one material. */
+    struct Refuse
+    {
+      std::string section;
+
+      void
+      operator()(const std::string &name, const std::string &problem) const
+      {
+        throw ParameterError(section, name, problem);
+      }
+    };
+
+    void
+    check_density(const MaterialParameters &material, const Refuse &refuse)
+    {
+      const double density = material.density;
+      if (density >= 500 && density <= 25000)
+        return;
+      std::string problem = "a density is between 500 and 25000 kg/m^3.";
+      if (density >= 0.5 && density <= 25)
+        problem += " Is it in g/cm^3? rift uses kg/m^3: write " +
+                   short_text(1000 * density) + ".";
+      refuse("Density", problem);
+    }
+
+    // `modulus` of a P-wave, from the entry `name`.
+    void
+    check_wave_speed(const MaterialParameters &material,
+                     const double              modulus,
+                     const std::string        &name,
+                     const Refuse             &refuse)
+    {
+      const double speed = std::sqrt(modulus / material.density);
+      if (speed >= 100 && speed <= 15000)
+        return;
+      std::string problem = "this gives P-waves of " + short_text(speed) +
+                            " m/s; solids have 100 to 15000 m/s.";
+      for (const auto &[unit, factor] :
+           {std::make_pair("MPa", 1e6), std::make_pair("GPa", 1e9)})
+      {
+        const double other = speed * std::sqrt(factor);
+        // Rocks have 1 to 8 km/s.
+        if (other > 1000 && other < 8000)
+          problem += std::string(" Is it in ") + unit + "? rift uses Pa.";
+      }
+      refuse(name, problem);
+    }
+
+    void
+    check_isotropic(const MaterialParameters &material, const Refuse &refuse)
+    {
+      const double E = material.youngs_modulus, nu = material.poissons_ratio;
+      if (!(E > 0))
+        refuse("Young's modulus", "this must be greater than zero. Units: Pa.");
+      if (!(nu > -1 && nu < 0.5))
+        refuse("Poisson's ratio",
+               "this must be greater than -1 and less than 0.5.");
+      check_wave_speed(material,
+                       E * (1 - nu) / ((1 + nu) * (1 - 2 * nu)),
+                       "Young's modulus",
+                       refuse);
+    }
+
+    void
+    check_anisotropic(const MaterialParameters &material, const Refuse &refuse)
+    {
+      const Matrix6 kelvin  = kelvin_matrix(material.stiffness);
+      double        largest = 0;
+      for (unsigned int i = 0; i < 6; ++i)
+        largest = std::max(largest, std::abs(kelvin[i][i]));
+      const double smallest = smallest_eigenvalue(kelvin);
+      // Round-off alone can make a singular stiffness look positive.
+      if (!(smallest > 1e-12 * largest))
+        refuse("Stiffness",
+               "the stiffness is not positive definite, its smallest "
+               "eigenvalue is " +
+                   short_text(smallest) +
+                   " Pa. Give the upper triangle row by row: 11, 12, 13, 14, "
+                   "15, 16, 22, 23, ... with 4, 5, 6 for 23, 13, 12.");
+      for (unsigned int i = 0; i < 3; ++i)
+        check_wave_speed(material, kelvin[i][i], "Stiffness", refuse);
+
+      const double length_1 = norm(material.axis_1);
+      const double length_2 = norm(material.axis_2);
+      if (!(length_1 > 0))
+        refuse("Axis 1", "an axis cannot be zero.");
+      if (!(length_2 > 0))
+        refuse("Axis 2", "an axis cannot be zero.");
+      if (!(norm(cross(material.axis_1, material.axis_2)) >
+            1e-6 * length_1 * length_2))
+        refuse("Axis 2", "this is parallel to Axis 1.");
+    }
+
+    void
+    check_strength(const MaterialParameters &material, const Refuse &refuse)
+    {
+      for (const auto &[name, value] :
+           {std::make_pair("Viscosity", material.viscosity),
+            std::make_pair("Tensile strength", material.tensile_strength),
+            std::make_pair("Cohesion", material.cohesion),
+            std::make_pair("Fracture energy I", material.fracture_energy_1),
+            std::make_pair("Fracture energy II", material.fracture_energy_2)})
+        if (!(value >= 0))
+          refuse(name, "this cannot be negative.");
+      if (!(material.friction_angle >= 0 && material.friction_angle < M_PI_2))
+        refuse("Friction angle",
+               "this must be at least 0 and less than 90 degrees.");
+      const double m = material.weibull_modulus;
+      if (!(m == 0 || m >= 1))
+        refuse("Weibull modulus",
+               "this must be 0, for no scatter, or at least 1. Rocks have 2 "
+               "to 50.");
+    }
+  } // namespace
+
+  void
+  MaterialParameters::check() const
+  {
+    const Refuse refuse{"Material " + name};
+    check_density(*this, refuse);
+    if (elasticity == Elasticity::isotropic)
+      check_isotropic(*this, refuse);
+    else
+      check_anisotropic(*this, refuse);
+    check_strength(*this, refuse);
+  }
+
+  void
+  MaterialParameters::check_breakable() const
+  {
+    if (!breakable)
+      return;
+    const Refuse refuse{"Material " + name};
+    for (const auto &[entry, value] :
+         {std::make_pair("Tensile strength", tensile_strength),
+          std::make_pair("Cohesion", cohesion),
+          std::make_pair("Fracture energy I", fracture_energy_1),
+          std::make_pair("Fracture energy II", fracture_energy_2)})
+      if (!(value > 0))
+        refuse(entry,
+               "this must be greater than zero where cracks may run. Set it, "
+               "or Breakable = false.");
+  }
+} // namespace rift
