@@ -91,8 +91,8 @@ namespace rift
         const auto  position =
             std::min<std::size_t>(error.GetPos(), text.size());
         if (reason.find("position") == std::string::npos)
-          reason += " at position " + std::to_string(position) + '.';
-        refuse(text, where, reason);
+          reason += " at position " + std::to_string(position);
+        refuse(text, where, reason + (reason.back() == '.' ? "" : "."));
       }
       return [expression](const double t) {
         expression->t = t;

