@@ -1,0 +1,104 @@
+#ifndef rift_cohesive_cohesive_faces_h
+#define rift_cohesive_cohesive_faces_h
+
+#include <rift/base/simd.h>
+#include <rift/cohesive/laws/mohr_coulomb.h>
+#include <rift/mesh/topology.h>
+
+#include <array>
+#include <vector>
+
+namespace rift
+{
+  /** Number of Gauss points on a cohesive face. */
+  constexpr unsigned int n_face_points = 7;
+
+  /**
+   * The rule of degree 5 on a triangle (Radon): shape functions of the three
+   * corners at each point, and weights that sum to 1 (doc/theory.md, eq. 15).
+   */
+  struct FaceQuadrature
+  {
+    std::array<std::array<double, 3>, n_face_points> shape;
+    std::array<double, n_face_points>                weight;
+
+    FaceQuadrature();
+  };
+
+  /**
+   * Eight cohesive elements (CE6): the pairs of nodes of the two sides, the
+   * triangle in the undeformed body and the memory of the Gauss points.
+   */
+  struct CohesiveBatch
+  {
+    /** Node of each corner on the minus and the plus side. */
+    NodeIndex minus[3][batch_size], plus[3][batch_size];
+
+    /** Edges from corner 0 to 1 and 2, m, and area, m^2, when undeformed. */
+    std::array<Vector3<Simd>, 2> edges;
+    Simd                         area;
+
+    /** Slope of the elastic branch, Pa/m, and tan of the friction angle. */
+    Simd stiffness, tan_friction_angle;
+
+    std::array<CohesivePoint<Simd>, n_face_points> points;
+
+    /**
+     * Energies of a face, J: used up by fracture and by friction, and held by
+     * the elastic branches when the nodes parted, which the face was given.
+     */
+    Simd fracture, friction, initial;
+
+    unsigned int n_faces;
+  };
+
+  /** The rest of what is known of a cohesive element, one by one. */
+  struct CohesiveFaceInfo
+  {
+    FaceIndex face;
+
+    /** Times at which the first nodes parted and at which the face failed, s;
+     * the latter is negative before. */
+    double start_time, failure_time;
+  };
+
+  /**
+   * The cohesive elements that have begun to open, in the order of that, and
+   * by face index within a step: an order that is the same on any number of
+   * ranks, and in which their forces are summed.
+   */
+  struct CohesiveFaces
+  {
+    std::vector<CohesiveBatch>    batches;
+    std::vector<CohesiveFaceInfo> infos;
+
+    std::size_t
+    size() const
+    {
+      return infos.size();
+    }
+  };
+
+  /** Memory of one point of one face. */
+  CohesivePoint<double>
+  get_point(const CohesiveBatch &batch, unsigned int point, unsigned int lane);
+
+  void
+  set_point(CohesiveBatch               &batch,
+            unsigned int                 point,
+            unsigned int                 lane,
+            const CohesivePoint<double> &value);
+
+  /**
+   * Mid-plane frame of eight faces: rows are the normal, from minus to plus,
+   * and two tangents, the first along the edge from corner 0 to 1; it turns
+   * with the body.
+   *
+   * @param displacement sums over both sides at the corners, m.
+   */
+  Matrix3<Simd>
+  face_frame(const CohesiveBatch                &batch,
+             const std::array<Vector3<Simd>, 3> &displacement_sums);
+} // namespace rift
+
+#endif

@@ -1,0 +1,178 @@
+#ifndef rift_cohesive_cohesive_force_h
+#define rift_cohesive_cohesive_force_h
+
+#include <rift/cohesive/cohesive_faces.h>
+#include <rift/cohesive/face_strengths.h>
+#include <rift/discretization/state.h>
+#include <rift/material/elasticity.h>
+
+#include <vector>
+
+namespace rift
+{
+  /** Energies of all cohesive elements, J. */
+  struct CohesiveEnergy
+  {
+    /** Elastic, less what the faces were given when they began to open. */
+    double recoverable = 0;
+    double fracture    = 0;
+    double friction    = 0;
+  };
+
+  /**
+   * The cohesive elements at work. A face that has been cut lies idle while
+   * its two sides still share all their nodes; it becomes a member of
+   * CohesiveFaces when the first of its corners parts.
+   *
+   * A face fails when all of its seven points have reached D = 1: nothing is
+   * cut off then, so that failing releases no energy and separation has
+   * used up the fracture energy times the area. Until contact takes over, a
+   * failed face still resists overlap.
+   */
+  class CohesiveForce
+  {
+  public:
+    /**
+     * @param stiffnesses, densities of each material, for the slope of the
+     *   elastic branch: a face adds to the largest frequency of the cells
+     *   beside it no more than CohesiveParameters::stiffness_factor says.
+     */
+    CohesiveForce(Topology                    &topology,
+                  const ReferenceCellData     &reference,
+                  const FaceStrengths         &strengths,
+                  std::vector<StiffnessMatrix> stiffnesses,
+                  std::vector<double>          densities,
+                  double                       stiffness_factor);
+
+    /**
+     * Takes in what a split has changed: the nodes of the faces around the
+     * split nodes, and the corners that have parted, which start_openings()
+     * will give their traction.
+     */
+    void
+    apply(const TopologyChange &change, const State &state);
+
+    /** Adds the forces of all open faces, after updating their memory. */
+    void
+    add_to(State &state);
+
+    /**
+     * Passes to the faces between nodes that have parted in this step the
+     * force that has held them together, m_A a - f_A with the common
+     * acceleration a, shared over the faces by area; to be called when all
+     * other forces have been summed. Accelerations then do not jump
+     * (doc/theory.md, section 5).
+     */
+    void
+    start_openings(State &state);
+
+    CohesiveEnergy
+    energy(const State &state) const;
+
+    const CohesiveFaces &
+    faces() const
+    {
+      return cohesive_faces;
+    }
+
+    /** Number of faces that have failed. */
+    std::size_t
+    n_failed() const
+    {
+      return failed;
+    }
+
+    /** Jump at a point of a face in its frame, m, and its traction, Pa. */
+    struct PointState
+    {
+      Vector3<double> jump, traction;
+    };
+
+    PointState
+    point_state(const State &state, std::size_t index, unsigned int point)
+      const;
+
+  private:
+    /** A corner of a face that has just parted. */
+    struct Opening
+    {
+      std::uint32_t index;
+      unsigned int  corner;
+    };
+
+    /** Nodes that were one until this step, and what has opened between. */
+    struct Parting
+    {
+      std::vector<NodeIndex> nodes;
+      std::vector<Opening>   openings;
+    };
+
+    /** A force that a corner of a face takes over, N, on its minus side. */
+    struct CornerForce
+    {
+      Opening         opening;
+      Vector3<double> force;
+    };
+
+    /** Where a batch of faces is now. */
+    struct Kinematics
+    {
+      /** See face_frame(). */
+      Matrix3<Simd> frame;
+
+      /** Jump at each corner in that frame, m. */
+      std::array<Vector3<Simd>, 3> jumps;
+    };
+
+    static Kinematics
+    kinematics(const State &state, const CohesiveBatch &batch);
+
+    /** Jump at a Gauss point, m. */
+    Vector3<Simd>
+    jump_at(const Kinematics &kinematics, unsigned int point) const;
+
+    /** Calls f(face, corner of the face, its minus and its plus node) for all
+     * faces around a vertex that have been cut. */
+    template <typename Function>
+    void
+    for_each_cut_face(VertexIndex vertex, const Function &f) const;
+
+    void
+    activate(FaceIndex face, const State &state);
+
+    /** Slope of the elastic branch of a face, Pa/m. */
+    double
+    elastic_slope(FaceIndex face, double area) const;
+
+    /** Divides the bond forces of the nodes among the faces that open. */
+    void
+    share_bond_forces(const State              &state,
+                      const Parting            &parting,
+                      std::vector<CornerForce> &shares) const;
+
+    /** Gives the points of one face the traction that makes these forces. */
+    void
+    hold(State &state, const CornerForce *first, const CornerForce *last);
+
+    void
+    note_failures(std::size_t batch_number, double time);
+
+    Topology                          &topology;
+    const ReferenceCellData           &reference;
+    const FaceStrengths               &strengths;
+    const std::vector<StiffnessMatrix> stiffnesses;
+    const std::vector<double>          densities;
+    const double                       stiffness_factor;
+    const FaceQuadrature               quadrature;
+    const MohrCoulomb                  law;
+
+    CohesiveFaces cohesive_faces;
+    std::size_t   failed = 0;
+
+    /** Index in cohesive_faces of each interior face, if it has one. */
+    std::vector<std::uint32_t> index_of_face;
+    std::vector<Parting>       partings;
+  };
+} // namespace rift
+
+#endif

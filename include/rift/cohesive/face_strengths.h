@@ -1,0 +1,64 @@
+#ifndef rift_cohesive_face_strengths_h
+#define rift_cohesive_face_strengths_h
+
+#include <rift/cohesive/cohesive_parameters.h>
+#include <rift/cohesive/laws/mohr_coulomb.h>
+#include <rift/material/material_parameters.h>
+#include <rift/mesh/topology.h>
+#include <rift/solid/internal_force.h>
+
+#include <optional>
+#include <vector>
+
+namespace rift
+{
+  /**
+   * The strength of every interior face. Between two materials the weaker
+   * value of each property counts; where one of them is not breakable, the
+   * face never breaks.
+   *
+   * With a Weibull modulus m both strengths of a face are scaled by a random
+   * factor of mean 1, w = (-ln U)^(1/m) / Gamma(1 + 1/m). U depends only on
+   * the seed and on the face's place in the canonical order of the mesh, not
+   * on the number of ranks.
+   */
+  class FaceStrengths
+  {
+  public:
+    FaceStrengths(const Topology                        &topology,
+                  const std::vector<MaterialParameters> &materials,
+                  const CohesiveParameters              &parameters);
+
+    bool
+    is_breakable(FaceIndex face) const;
+
+    FaceStrength
+    strength(FaceIndex face) const;
+
+    /**
+     * Per material the stress below which none of its faces can break, with
+     * some margin; nothing for materials that do not break.
+     */
+    std::vector<std::optional<StressBound>>
+    stress_bounds() const;
+
+  private:
+    /** Of the material pair of a face, without scatter. */
+    const std::optional<FaceStrength> &
+    of_materials(FaceIndex face) const;
+
+    double
+    random_factor(FaceIndex face, double weibull_modulus, unsigned int seed);
+
+    const Topology &topology;
+    std::size_t     n_materials;
+
+    /** For each pair of materials. */
+    std::vector<std::optional<FaceStrength>> pairs;
+
+    /** For each face; empty where nothing scatters. */
+    std::vector<double> factors;
+  };
+} // namespace rift
+
+#endif

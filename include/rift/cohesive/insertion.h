@@ -1,0 +1,61 @@
+#ifndef rift_cohesive_insertion_h
+#define rift_cohesive_insertion_h
+
+#include <rift/cohesive/face_strengths.h>
+#include <rift/discretization/state.h>
+#include <rift/solid/internal_force.h>
+
+#include <vector>
+
+namespace rift
+{
+  /**
+   * Decides which faces break: an intact face gets a cohesive element when its
+   * normal stress or its shear stress reaches the strength,
+   *   sigma_n >= T  or  |tau| >= C - min(sigma_n, 0) tan(phi)
+   * (doc/theory.md, eq. 11). The traction is the mean of the two cells'
+   * nominal tractions P N, resolved along the current normal.
+   *
+   * The decision for a face depends on its two cells alone, so that all ranks
+   * that see the face decide the same.
+   */
+  class Insertion
+  {
+  public:
+    Insertion(const Topology          &topology,
+              const ReferenceCellData &reference,
+              const InternalForce     &internal_force,
+              const FaceStrengths     &strengths);
+
+    /**
+     * Faces of the hot cells at their strength, ascending.
+     *
+     * @param hot_cells see InternalForce::hot_cells(), ascending.
+     */
+    std::vector<FaceIndex>
+    find_faces(const State &state, const std::vector<CellIndex> &hot_cells);
+
+  private:
+    /** Nominal stress of a cell; batches are computed once per call. */
+    Matrix3<double>
+    stress(const State &state, CellIndex cell);
+
+    bool
+    is_at_strength(const State &state, FaceIndex face);
+
+    const Topology          &topology;
+    const ReferenceCellData &reference;
+    const InternalForce     &internal_force;
+    const FaceStrengths     &strengths;
+
+    /** One bit for each lane of each batch: whether the cell is hot. */
+    std::vector<std::uint8_t> hot_lanes;
+
+    /** Where the stress of a batch stands in `stresses`. */
+    std::vector<std::uint32_t> stress_position;
+    std::vector<std::uint32_t> computed_batches;
+    std::vector<Matrix3<Simd>> stresses;
+  };
+} // namespace rift
+
+#endif

@@ -1,0 +1,80 @@
+#ifndef rift_loading_prescribed_motion_h
+#define rift_loading_prescribed_motion_h
+
+#include <rift/discretization/activity.h>
+#include <rift/discretization/state.h>
+#include <rift/loading/loading_parameters.h>
+#include <rift/loading/time_function.h>
+#include <rift/mesh/surface.h>
+
+#include <vector>
+
+namespace rift
+{
+  /**
+   * Components of the velocity that are prescribed on named surfaces. Where
+   * surfaces meet, the first one in the .prm that prescribes a component
+   * counts.
+   */
+  class PrescribedMotion
+  {
+  public:
+    /** A surface and what is said of it. */
+    struct Boundary
+    {
+      Surface            surface;
+      BoundaryParameters parameters;
+    };
+
+    PrescribedMotion(const Topology &topology, std::vector<Boundary> boundaries);
+
+    static bool
+    is_needed(const BoundaryParameters &parameters);
+
+    /**
+     * Replaces the forces on prescribed components by those that make the
+     * velocity after the kick the prescribed one, and counts the work of the
+     * reactions.
+     */
+    void
+    impose(State &state, Activity &activity, double time_step);
+
+    /** Work of the reactions up to t_n, J, as of the last impose(). */
+    double
+    work() const
+    {
+      return work_until_now;
+    }
+
+    /** Takes in nodes that a crack has made. */
+    void
+    update_nodes();
+
+    /** Bit d of entry i is set where component d of node i is prescribed. */
+    const std::vector<std::uint8_t> &
+    components() const
+    {
+      return prescribed_components;
+    }
+
+  private:
+    struct Condition
+    {
+      NodeIndex    node;
+      std::uint8_t component;
+      std::uint8_t function;
+    };
+
+    const Topology             &topology;
+    const std::vector<Boundary> boundaries;
+
+    /** A function of time for each prescribed component of each boundary. */
+    std::vector<TimeFunction> functions;
+
+    std::vector<Condition>    conditions;
+    std::vector<std::uint8_t> prescribed_components;
+    double work_until_now = 0, work_of_half_step = 0;
+  };
+} // namespace rift
+
+#endif

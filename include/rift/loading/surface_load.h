@@ -1,0 +1,70 @@
+#ifndef rift_loading_surface_load_h
+#define rift_loading_surface_load_h
+
+#include <rift/discretization/activity.h>
+#include <rift/discretization/state.h>
+#include <rift/loading/loading_parameters.h>
+#include <rift/loading/time_function.h>
+#include <rift/mesh/surface.h>
+
+#include <optional>
+#include <vector>
+
+namespace rift
+{
+  /**
+   * Pressure and traction on one named surface. Pressure acts on the current
+   * area and along the current normal; traction is per undeformed area and
+   * keeps its direction.
+   */
+  class SurfaceLoad
+  {
+  public:
+    /** @param parameters must have a pressure or a traction. */
+    SurfaceLoad(const Topology           &topology,
+                Surface                   surface,
+                const BoundaryParameters &parameters);
+
+    static bool
+    is_needed(const BoundaryParameters &parameters);
+
+    /** Adds the forces at `state.time`. */
+    void
+    add_to(State &state, Activity &activity);
+
+    /**
+     * Adds up the work of the step: to be called between the last force and
+     * the kick.
+     */
+    void
+    count_work(const State &state, double time_step);
+
+    /** Work done up to t_n, J, as of the last count_work(). */
+    double
+    work() const
+    {
+      return work_until_now;
+    }
+
+    /** Takes in nodes that a crack has made. */
+    void
+    update_nodes();
+
+  private:
+    const Topology                            &topology;
+    const Surface                              surface;
+    std::optional<TimeFunction>                pressure;
+    std::array<std::optional<TimeFunction>, 3> traction;
+
+    /** Nodes of the surface, ascending; those of each face as positions in
+     * that list; the force on each. */
+    std::vector<NodeIndex>                    nodes;
+    std::vector<std::array<std::uint32_t, 3>> face_positions;
+    std::vector<Vector3<double>>              forces;
+
+    double work_until_now = 0, work_of_half_step = 0;
+    bool   is_loaded = false;
+  };
+} // namespace rift
+
+#endif

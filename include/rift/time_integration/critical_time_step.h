@@ -1,0 +1,46 @@
+#ifndef rift_time_integration_critical_time_step_h
+#define rift_time_integration_critical_time_step_h
+
+#include <rift/discretization/reference_cell_data.h>
+#include <rift/material/elasticity.h>
+
+#include <string>
+#include <vector>
+
+namespace rift
+{
+  /** What the bound of the time step depends on in each material. */
+  struct MaterialLimits
+  {
+    std::string     name;
+    StiffnessMatrix stiffness;
+    double          density;
+    double          viscosity = 0;
+
+    /** CohesiveParameters::stiffness_factor where faces may break, else 0. */
+    double cohesive_stiffness_factor = 0;
+  };
+
+  /** The largest safe time step and what limits it. */
+  struct CriticalTimeStep
+  {
+    double    time_step;
+    CellIndex cell;
+
+    /** For the log: "cell 17 of granite, cohesive stiffness included". */
+    std::string limited_by;
+  };
+
+  /**
+   * A time step at which central differences are stable whatever breaks: no
+   * frequency of the assembled body exceeds the largest of its loose cells,
+   * each with the cohesive faces that may come to it (doc/theory.md, eq. 21).
+   * Viscosity shortens the step further.
+   */
+  CriticalTimeStep
+  critical_time_step(const Topology                    &topology,
+                     const ReferenceCellData           &reference,
+                     const std::vector<MaterialLimits> &limits);
+} // namespace rift
+
+#endif

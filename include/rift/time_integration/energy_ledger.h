@@ -1,0 +1,88 @@
+#ifndef rift_time_integration_energy_ledger_h
+#define rift_time_integration_energy_ledger_h
+
+#include <algorithm>
+#include <cmath>
+
+namespace rift
+{
+  /**
+   * Energies at one time, J. All are computed from the state or from what
+   * each module has used up by its own law, none as the difference of the
+   * others, so that the residual tells of errors.
+   */
+  struct Energies
+  {
+    double kinetic  = 0;
+    double strain   = 0;
+    double cohesive = 0;
+    double fracture = 0;
+    double contact  = 0;
+    double friction = 0;
+    double damping  = 0;
+
+    /** Work that loads, reactions and gravity have done on the body. */
+    double loads = 0;
+
+    double
+    total() const
+    {
+      return kinetic + strain + cohesive + fracture + contact + friction +
+             damping;
+    }
+  };
+
+  /** Watches over the balance of energy. */
+  class EnergyLedger
+  {
+  public:
+    /** Takes in the energies of one time; the first call is the start. */
+    void
+    enter(const Energies &energies)
+    {
+      if (!has_started)
+        initial = energies.total() - energies.loads;
+      has_started = true;
+      now         = energies;
+      input       = std::max({input,
+                        std::abs(initial + energies.loads),
+                        energies.kinetic + energies.strain});
+      largest_residual =
+        std::max(largest_residual, std::abs(relative_residual()));
+    }
+
+    const Energies &
+    energies() const
+    {
+      return now;
+    }
+
+    /** Energy that has come from nowhere (positive) or gone there, J. */
+    double
+    residual() const
+    {
+      return now.total() - now.loads - initial;
+    }
+
+    /** The residual over the largest energy that was in play so far. */
+    double
+    relative_residual() const
+    {
+      return input > 0 ? residual() / input : 0;
+    }
+
+    /** Largest relative residual of all times. */
+    double
+    largest_relative_residual() const
+    {
+      return largest_residual;
+    }
+
+  private:
+    Energies now;
+    double   initial = 0, input = 0, largest_residual = 0;
+    bool     has_started = false;
+  };
+} // namespace rift
+
+#endif

@@ -1,0 +1,85 @@
+#include <rift/cohesive/cohesive_faces.h>
+
+#include <cmath>
+
+namespace rift
+{
+  FaceQuadrature::FaceQuadrature()
+  {
+    shape[0].fill(1. / 3.);
+    weight[0]           = 9. / 40.;
+    const double root   = std::sqrt(15.);
+    const double at[2]  = {(6 - root) / 21, (6 + root) / 21};
+    const double w[2]   = {(155 - root) / 1200, (155 + root) / 1200};
+    for (unsigned int orbit = 0; orbit < 2; ++orbit)
+      for (unsigned int corner = 0; corner < 3; ++corner)
+        {
+          const unsigned int q = 1 + 3 * orbit + corner;
+          shape[q].fill(at[orbit]);
+          shape[q][corner] = 1 - 2 * at[orbit];
+          weight[q]        = w[orbit];
+        }
+  }
+
+  namespace
+  {
+    /** Calls f(field of the batch, field of the single point). */
+    template <typename SimdPoint, typename Point, typename Function>
+    void
+    for_each_field(SimdPoint &a, Point &b, const Function &f)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        f(a.offset[d], b.offset[d]);
+      f(a.opening, b.opening);
+      f(a.slip, b.slip);
+      f(a.softening, b.softening);
+      f(a.tensile_strength, b.tensile_strength);
+      f(a.cohesion, b.cohesion);
+      f(a.inverse_opening, b.inverse_opening);
+      f(a.inverse_slip, b.inverse_slip);
+    }
+  } // namespace
+
+  CohesivePoint<double>
+  get_point(const CohesiveBatch &batch,
+            const unsigned int   point,
+            const unsigned int   lane)
+  {
+    CohesivePoint<double> result;
+    for_each_field(batch.points[point],
+                   result,
+                   [lane](const Simd &field, double &value) {
+                     value = field[lane];
+                   });
+    return result;
+  }
+
+  void
+  set_point(CohesiveBatch               &batch,
+            const unsigned int           point,
+            const unsigned int           lane,
+            const CohesivePoint<double> &value)
+  {
+    for_each_field(batch.points[point],
+                   value,
+                   [lane](Simd &field, const double v) { field[lane] = v; });
+  }
+
+  Matrix3<Simd>
+  face_frame(const CohesiveBatch                &batch,
+             const std::array<Vector3<Simd>, 3> &displacement_sums)
+  {
+    const Simd          half   = broadcast(.5);
+    const Vector3<Simd> edge_1 =
+      batch.edges[0] + half * (displacement_sums[1] - displacement_sums[0]);
+    const Vector3<Simd> edge_2 =
+      batch.edges[1] + half * (displacement_sums[2] - displacement_sums[0]);
+
+    const Vector3<Simd> area = cross(edge_1, edge_2);
+    Matrix3<Simd>       frame;
+    frame[0] = (1. / sqrt(dot(area, area))) * area;
+    frame[1] = (1. / sqrt(dot(edge_1, edge_1))) * edge_1;
+    frame[2] = cross(frame[0], frame[1]);
+    return frame;
+  }
+} // namespace rift

@@ -1,0 +1,140 @@
+#include <rift/cohesive/face_strengths.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rift
+{
+  namespace
+  {
+    std::optional<FaceStrength>
+    weaker_of(const MaterialParameters &a, const MaterialParameters &b)
+    {
+      if (!a.breakable || !b.breakable)
+        return {};
+      return FaceStrength{std::min(a.tensile_strength, b.tensile_strength),
+                          std::min(a.cohesion, b.cohesion),
+                          std::tan(std::min(a.friction_angle,
+                                            b.friction_angle)),
+                          std::min(a.fracture_energy_1, b.fracture_energy_1),
+                          std::min(a.fracture_energy_2, b.fracture_energy_2)};
+    }
+
+    /** Scrambles the bits of a number (the finaliser of splitmix64). */
+    std::uint64_t
+    scramble(std::uint64_t x)
+    {
+      x += 0x9e3779b97f4a7c15u;
+      x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+      x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+      return x ^ (x >> 31);
+    }
+  } // namespace
+
+  FaceStrengths::FaceStrengths(const Topology                        &topology,
+                               const std::vector<MaterialParameters> &materials,
+                               const CohesiveParameters &parameters)
+    : topology(topology)
+    , n_materials(materials.size())
+  {
+    bool any_scatter = false;
+    for (const MaterialParameters &a : materials)
+      {
+        any_scatter |= a.weibull_modulus > 0;
+        for (const MaterialParameters &b : materials)
+          pairs.push_back(weaker_of(a, b));
+      }
+    if (!any_scatter)
+      return;
+
+    factors.assign(topology.faces.size(), 1.);
+    for (FaceIndex face = 0; face < topology.faces.size(); ++face)
+      {
+        // The side of more scatter (smaller modulus) decides.
+        double modulus = 0;
+        for (const CellIndex cell : topology.faces[face].cells)
+          {
+            const double m = materials[topology.material(cell)].weibull_modulus;
+            if (m > 0 && (modulus == 0 || m < modulus))
+              modulus = m;
+          }
+        if (modulus > 0)
+          factors[face] = random_factor(face, modulus, parameters.seed);
+      }
+  }
+
+  double
+  FaceStrengths::random_factor(const FaceIndex    face,
+                               const double       modulus,
+                               const unsigned int seed)
+  {
+    const Face         &f = topology.faces[face];
+    const std::uint64_t name =
+      4 * std::uint64_t{topology.cell_global_indices[f.cells[0]]} +
+      f.local_faces[0];
+    const std::uint64_t bits = scramble(scramble(seed) ^ name);
+    // In the open interval (0, 1).
+    const double u = (static_cast<double>(bits >> 11) + .5) / (1ull << 53);
+    return std::pow(-std::log(u), 1 / modulus) / std::tgamma(1 + 1 / modulus);
+  }
+
+  const std::optional<FaceStrength> &
+  FaceStrengths::of_materials(const FaceIndex face) const
+  {
+    const Face &f = topology.faces[face];
+    return pairs[topology.material(f.cells[0]) * n_materials +
+                 topology.material(f.cells[1])];
+  }
+
+  bool
+  FaceStrengths::is_breakable(const FaceIndex face) const
+  {
+    return of_materials(face).has_value();
+  }
+
+  FaceStrength
+  FaceStrengths::strength(const FaceIndex face) const
+  {
+    FaceStrength result = *of_materials(face);
+    if (!factors.empty())
+      {
+        result.tensile_strength *= factors[face];
+        result.cohesion *= factors[face];
+      }
+    return result;
+  }
+
+  std::vector<std::optional<StressBound>>
+  FaceStrengths::stress_bounds() const
+  {
+    constexpr double margin = .9;
+
+    std::vector<std::optional<StressBound>> bounds(n_materials);
+    for (FaceIndex face = 0; face < topology.faces.size(); ++face)
+      if (is_breakable(face))
+        {
+          const FaceStrength s   = strength(face);
+          const double       tan = s.tan_friction_angle;
+          const StressBound  of_face{margin * s.tensile_strength,
+                                    margin * s.cohesion,
+                                    tan,
+                                    1 / std::sqrt(1 + tan * tan)};
+          for (const CellIndex cell : topology.faces[face].cells)
+            {
+              auto &bound = bounds[topology.material(cell)];
+              if (!bound)
+                bound = of_face;
+              bound->tensile_strength =
+                std::min(bound->tensile_strength, of_face.tensile_strength);
+              bound->cohesion = std::min(bound->cohesion, of_face.cohesion);
+              // The least friction allows the most shear in compression.
+              if (tan < bound->tan_friction_angle)
+                {
+                  bound->tan_friction_angle = tan;
+                  bound->cos_friction_angle = of_face.cos_friction_angle;
+                }
+            }
+        }
+    return bounds;
+  }
+} // namespace rift

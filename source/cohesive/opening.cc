@@ -1,0 +1,320 @@
+#include <rift/cohesive/cohesive_force.h>
+#include <rift/mesh/mesh_data.h>
+#include <rift/solid/cell_frequency.h>
+
+#include <algorithm>
+
+// How cohesive elements come to life: the half of CohesiveForce that follows
+// the changes of the topology.
+namespace rift
+{
+  template <typename Function>
+  void
+  CohesiveForce::for_each_cut_face(const VertexIndex vertex,
+                                   const Function   &f) const
+  {
+    for (auto cell = topology.vertex_cells_first(vertex);
+         cell != topology.vertex_cells_last(vertex);
+         ++cell)
+      {
+        const unsigned int here = topology.corner_at_vertex(*cell, vertex);
+        for (unsigned int local = 0; local < n_corners; ++local)
+          {
+            const FaceIndex index = topology.cell_faces[*cell][local];
+            if (local == here || index == invalid_index ||
+                topology.face_states[index] == FaceState::intact)
+              continue;
+            // Each face once: from its minus side.
+            const Face &face = topology.faces[index];
+            if (face.cells[0] != *cell)
+              continue;
+            const auto &corners = face_corners[local];
+            const auto  corner =
+              std::find(corners.begin(), corners.end(), here) -
+              corners.begin();
+            f(index,
+              static_cast<unsigned int>(corner),
+              topology.node(*cell, here),
+              topology.node(face.cells[1],
+                            topology.corner_at_vertex(face.cells[1], vertex)));
+          }
+      }
+  }
+
+  void
+  CohesiveForce::apply(const TopologyChange &change, const State &state)
+  {
+    const auto vertex_of = [&](const NodeSplit &split) {
+      return topology.node_vertices[split.parts[0]];
+    };
+
+    std::vector<FaceIndex> newly_open;
+    for (const NodeSplit &split : change.splits)
+      for_each_cut_face(vertex_of(split),
+                        [&](const FaceIndex face,
+                            const unsigned int,
+                            const NodeIndex minus,
+                            const NodeIndex plus) {
+                          if (minus != plus &&
+                              index_of_face[face] == invalid_index)
+                            newly_open.push_back(face);
+                        });
+    std::sort(newly_open.begin(), newly_open.end());
+    newly_open.erase(std::unique(newly_open.begin(), newly_open.end()),
+                     newly_open.end());
+    for (const FaceIndex face : newly_open)
+      activate(face, state);
+
+    for (const NodeSplit &split : change.splits)
+      {
+        Parting parting;
+        parting.nodes = split.parts;
+        for_each_cut_face(
+          vertex_of(split),
+          [&](const FaceIndex    face,
+              const unsigned int corner,
+              const NodeIndex    minus,
+              const NodeIndex    plus) {
+            const std::uint32_t index = index_of_face[face];
+            if (index == invalid_index)
+              return;
+            CohesiveBatch &batch = cohesive_faces.batches[index / batch_size];
+            const unsigned int lane      = index % batch_size;
+            NodeIndex         &old_minus = batch.minus[corner][lane];
+            NodeIndex         &old_plus  = batch.plus[corner][lane];
+            if (minus != plus && old_minus == old_plus)
+              parting.openings.push_back({index, corner});
+            old_minus = minus;
+            old_plus  = plus;
+          });
+        partings.push_back(std::move(parting));
+      }
+  }
+
+  void
+  CohesiveForce::activate(const FaceIndex index, const State &state)
+  {
+    const unsigned int lane = cohesive_faces.size() % batch_size;
+    if (lane == 0)
+      {
+        // Lanes without a face are triangles of no area that never open.
+        CohesiveBatch empty{};
+        empty.edges[0][0] = empty.edges[1][1] = empty.stiffness =
+          broadcast(1);
+        for (auto &point : empty.points)
+          point.softening = broadcast(1);
+        cohesive_faces.batches.push_back(empty);
+      }
+    index_of_face[index] = static_cast<std::uint32_t>(cohesive_faces.size());
+    cohesive_faces.infos.push_back({index, state.time, -1});
+
+    CohesiveBatch             &batch = cohesive_faces.batches.back();
+    const Face                &face  = topology.faces[index];
+    std::array<NodeIndex, 3>   nodes;
+    for (unsigned int c = 0; c < 3; ++c)
+      {
+        nodes[c] =
+          topology.node(face.cells[0], face_corners[face.local_faces[0]][c]);
+        batch.minus[c][lane] = batch.plus[c][lane] = nodes[c];
+      }
+    std::array<Vector3<double>, 2> edges;
+    for (unsigned int e = 0; e < 2; ++e)
+      {
+        edges[e] = state.reference[nodes[e + 1]].vector() -
+                   state.reference[nodes[0]].vector();
+        for (unsigned int d = 0; d < dim; ++d)
+          batch.edges[e][d][lane] = edges[e][d];
+      }
+    const double       area            = .5 * norm(cross(edges[0], edges[1]));
+    const double       slope           = elastic_slope(index, area);
+    const FaceStrength strength        = strengths.strength(index);
+    batch.area[lane]                   = area;
+    batch.stiffness[lane]              = slope;
+    batch.tan_friction_angle[lane]     = strength.tan_friction_angle;
+    for (unsigned int q = 0; q < n_face_points; ++q)
+      set_point(batch, q, lane, make_cohesive_point(strength, slope));
+    batch.n_faces = lane + 1;
+  }
+
+  double
+  CohesiveForce::elastic_slope(const FaceIndex index, const double area) const
+  {
+    // A corner of mass m moves against the face with a stiffness of
+    // k area / 3 on either side, hence omega^2 = 2 k area / (3 m).
+    const Face &face  = topology.faces[index];
+    double      limit = std::numeric_limits<double>::max();
+    for (const CellIndex cell : face.cells)
+      {
+        const auto  &batch    = reference[cell / batch_size];
+        const auto   lane     = cell % batch_size;
+        const auto   material = topology.material(cell);
+        const double mass = densities[material] * batch.volume[lane] / n_corners;
+        limit             = std::min(limit,
+                         mass * largest_frequency_squared(batch,
+                                                          lane,
+                                                          stiffnesses[material],
+                                                          densities[material]));
+      }
+    return stiffness_factor * limit * 1.5 / area;
+  }
+
+  void
+  CohesiveForce::start_openings(State &state)
+  {
+    std::vector<CornerForce> shares;
+    for (const Parting &parting : partings)
+      share_bond_forces(state, parting, shares);
+    partings.clear();
+
+    std::stable_sort(shares.begin(),
+                     shares.end(),
+                     [](const CornerForce &a, const CornerForce &b) {
+                       return a.opening.index < b.opening.index;
+                     });
+    for (auto first = shares.begin(); first != shares.end();)
+      {
+        auto last = first;
+        while (last != shares.end() &&
+               last->opening.index == first->opening.index)
+          ++last;
+        hold(state, &*first, &*first + (last - first));
+        first = last;
+      }
+  }
+
+  void
+  CohesiveForce::share_bond_forces(const State              &state,
+                                   const Parting            &parting,
+                                   std::vector<CornerForce> &shares) const
+  {
+    // Forces of the faces F = area (lambda_minus - lambda_plus), with lambda
+    // one vector per node, are the smallest (in the mean over the area) that
+    // balance the bond forces. For two nodes that is a share by area.
+    const std::size_t            n = parting.nodes.size();
+    std::vector<double>          matrix(n * n, 0.);
+    std::vector<Vector3<double>> lambda(n);
+    const auto                   position = [&](const NodeIndex node) {
+      return std::find(parting.nodes.begin(), parting.nodes.end(), node) -
+             parting.nodes.begin();
+    };
+
+    Vector3<double> total_force = {{0, 0, 0}};
+    double          total_mass  = 0;
+    for (const NodeIndex node : parting.nodes)
+      {
+        total_force += state.force[node].vector();
+        total_mass += state.mass[node];
+      }
+    for (std::size_t i = 0; i < n; ++i)
+      lambda[i] = (state.mass[parting.nodes[i]] / total_mass) * total_force -
+                  state.force[parting.nodes[i]].vector();
+    const auto ends = [&](const Opening &opening) {
+      const CohesiveBatch &batch =
+        cohesive_faces.batches[opening.index / batch_size];
+      const unsigned int lane = opening.index % batch_size;
+      return std::array<std::size_t, 2>{
+        {static_cast<std::size_t>(position(batch.minus[opening.corner][lane])),
+         static_cast<std::size_t>(position(batch.plus[opening.corner][lane]))}};
+    };
+    const auto area = [&](const Opening &opening) {
+      return cohesive_faces.batches[opening.index / batch_size]
+        .area[opening.index % batch_size];
+    };
+    for (const Opening &opening : parting.openings)
+      {
+        const auto [minus, plus] = ends(opening);
+        matrix[minus * n + minus] += area(opening);
+        matrix[plus * n + plus] += area(opening);
+        matrix[minus * n + plus] -= area(opening);
+        matrix[plus * n + minus] -= area(opening);
+      }
+
+    // Only differences of lambda count: that of node 0 is zero. The rest is a
+    // symmetric positive definite system, solved by elimination.
+    for (std::size_t k = 1; k < n; ++k)
+      for (std::size_t i = k + 1; i < n; ++i)
+        {
+          const double factor = matrix[i * n + k] / matrix[k * n + k];
+          for (std::size_t j = k; j < n; ++j)
+            matrix[i * n + j] -= factor * matrix[k * n + j];
+          lambda[i] -= factor * lambda[k];
+        }
+    for (std::size_t i = n - 1; i > 0; --i)
+      {
+        for (std::size_t j = i + 1; j < n; ++j)
+          lambda[i] -= matrix[i * n + j] * lambda[j];
+        lambda[i] = (1 / matrix[i * n + i]) * lambda[i];
+      }
+    lambda[0] = {{0, 0, 0}};
+
+    for (const Opening &opening : parting.openings)
+      {
+        const auto [minus, plus] = ends(opening);
+        shares.push_back(
+          {opening, area(opening) * (lambda[minus] - lambda[plus])});
+      }
+  }
+
+  void
+  CohesiveForce::hold(State             &state,
+                      const CornerForce *first,
+                      const CornerForce *last)
+  {
+    const std::uint32_t index = first->opening.index;
+    CohesiveBatch      &batch = cohesive_faces.batches[index / batch_size];
+    const unsigned int  lane  = index % batch_size;
+    const Kinematics    now   = kinematics(state, batch);
+
+    // In the frame of the face. Corners that are still bonded are given the
+    // mean of the others: their own share will be a correction of that.
+    std::array<Vector3<double>, 3> forces{};
+    Vector3<double>                mean = {{0, 0, 0}};
+    for (auto share = first; share != last; ++share)
+      {
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int d = 0; d < dim; ++d)
+            forces[share->opening.corner][i] +=
+              now.frame[i][d][lane] * share->force[d];
+        mean += (1. / (last - first)) * forces[share->opening.corner];
+      }
+    for (unsigned int c = 0; c < 3; ++c)
+      if (batch.minus[c][lane] == batch.plus[c][lane])
+        forces[c] = mean;
+
+    // The functions 4 N_c - 1 are dual to the N_c: each loads its own corner
+    // alone.
+    const double                   area     = batch.area[lane];
+    const FaceStrength             strength =
+      strengths.strength(cohesive_faces.infos[index].face);
+    std::array<Vector3<double>, 3> held{};
+    for (unsigned int q = 0; q < n_face_points; ++q)
+      {
+        Vector3<double> more = {{0, 0, 0}}, jump;
+        for (unsigned int c = 0; c < 3; ++c)
+          more += (3 / area * (4 * quadrature.shape[q][c] - 1)) * forces[c];
+        const auto jumps = jump_at(now, q);
+        for (unsigned int d = 0; d < dim; ++d)
+          jump[d] = jumps[d][lane];
+
+        auto         point  = get_point(batch, q, lane);
+        const double slope  = batch.stiffness[lane];
+        const double weight = quadrature.weight[q] * area;
+        const auto   before = traction_at(point, jump, slope);
+        batch.initial[lane] +=
+          weight * hold_traction(point, jump, more, strength, slope);
+        const auto gained = traction_at(point, jump, slope) - before;
+        for (unsigned int c = 0; c < 3; ++c)
+          held[c] += (weight * quadrature.shape[q][c]) * gained;
+        set_point(batch, q, lane, point);
+      }
+    for (unsigned int c = 0; c < 3; ++c)
+      if (batch.minus[c][lane] != batch.plus[c][lane])
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              const double f = now.frame[i][d][lane] * held[c][i];
+              state.force[batch.minus[c][lane]][d] += f;
+              state.force[batch.plus[c][lane]][d] -= f;
+            }
+  }
+} // namespace rift

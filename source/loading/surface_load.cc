@@ -1,0 +1,119 @@
+#include <rift/loading/surface_load.h>
+
+#include <algorithm>
+
+namespace rift
+{
+  namespace
+  {
+    std::optional<TimeFunction>
+    make_function(const std::string &text,
+                  const std::string &boundary,
+                  const std::string &entry,
+                  const std::string &unit)
+    {
+      if (text.empty())
+        return {};
+      return TimeFunction(text, "Boundary " + boundary + " / " + entry, unit);
+    }
+  } // namespace
+
+  SurfaceLoad::SurfaceLoad(const Topology           &topology,
+                           Surface                   surface,
+                           const BoundaryParameters &parameters)
+    : topology(topology)
+    , surface(std::move(surface))
+    , pressure(
+        make_function(parameters.pressure, parameters.name, "Pressure", "Pa"))
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      traction[d] = make_function(parameters.traction[d],
+                                  parameters.name,
+                                  std::string("Traction ") + "xyz"[d],
+                                  "Pa");
+    update_nodes();
+  }
+
+  bool
+  SurfaceLoad::is_needed(const BoundaryParameters &parameters)
+  {
+    const auto &t = parameters.traction;
+    return !parameters.pressure.empty() || !t[0].empty() || !t[1].empty() ||
+           !t[2].empty();
+  }
+
+  void
+  SurfaceLoad::update_nodes()
+  {
+    nodes = surface_nodes(topology, surface);
+    face_positions.clear();
+    for (const CellFace &face : surface)
+      {
+        std::array<std::uint32_t, 3> positions;
+        const auto                   of_face = face_nodes(topology, face);
+        for (unsigned int c = 0; c < 3; ++c)
+          positions[c] = static_cast<std::uint32_t>(
+            std::lower_bound(nodes.begin(), nodes.end(), of_face[c]) -
+            nodes.begin());
+        face_positions.push_back(positions);
+      }
+    forces.assign(nodes.size(), {{0, 0, 0}});
+  }
+
+  void
+  SurfaceLoad::add_to(State &state, Activity &activity)
+  {
+    const double    p = pressure ? (*pressure)(state.time) : 0;
+    Vector3<double> t = {{0, 0, 0}};
+    for (unsigned int d = 0; d < dim; ++d)
+      if (traction[d])
+        t[d] = (*traction[d])(state.time);
+    std::fill(forces.begin(), forces.end(), Vector3<double>{{0, 0, 0}});
+    is_loaded = p != 0 || dot(t, t) != 0;
+    if (!is_loaded)
+      return;
+
+    const auto area_vector = [](const auto &x) {
+      return .5 * cross(x[1] - x[0], x[2] - x[0]);
+    };
+    for (const auto &positions : face_positions)
+      {
+        std::array<Vector3<double>, 3> x, reference;
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            x[c]         = state.position(nodes[positions[c]]);
+            reference[c] = state.reference[nodes[positions[c]]].vector();
+          }
+        const Vector3<double> force =
+          (norm(area_vector(reference)) / 3) * t - (p / 3) * area_vector(x);
+        for (const std::uint32_t position : positions)
+          forces[position] += force;
+      }
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      {
+        activity.wake_node(topology, nodes[i]);
+        for (unsigned int d = 0; d < dim; ++d)
+          state.force[nodes[i]][d] += forces[i][d];
+      }
+  }
+
+  void
+  SurfaceLoad::count_work(const State &state, const double time_step)
+  {
+    // The force works over half a step with the velocity before the kick and
+    // over half a step with that after: the trapezoidal rule over time, for
+    // which the energy of the central differences is exact.
+    double before = 0, after = 0;
+    for (std::size_t i = 0; i < nodes.size() && is_loaded; ++i)
+      {
+        const NodeIndex       node = nodes[i];
+        const Vector3<double> v    = state.velocity[node].vector();
+        const double          power = dot(forces[i], v);
+        before += power;
+        after += power + time_step / state.mass[node] *
+                           dot(forces[i], state.force[node].vector());
+      }
+    work_until_now    = work_of_half_step + .5 * time_step * before;
+    work_of_half_step = work_until_now + .5 * time_step * after;
+  }
+} // namespace rift

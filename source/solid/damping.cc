@@ -1,0 +1,89 @@
+#include <rift/solid/cell_kernel.h>
+#include <rift/solid/damping.h>
+
+#include <algorithm>
+
+namespace rift
+{
+  namespace
+  {
+    /** Inverse of F = I + H by cofactors. */
+    Matrix3<Simd>
+    inverse_deformation_gradient(const Matrix3<Simd> &h)
+    {
+      Matrix3<Simd> f = h;
+      for (unsigned int d = 0; d < dim; ++d)
+        f[d][d] += 1.;
+      const Vector3<Simd> columns[3] = {cross(f[1], f[2]),
+                                        cross(f[2], f[0]),
+                                        cross(f[0], f[1])};
+      const Simd          factor     = 1. / dot(f[0], columns[0]);
+      Matrix3<Simd>       inverse;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          inverse[i][j] = factor * columns[j][i];
+      return inverse;
+    }
+  } // namespace
+
+  Damping::Damping(const Topology          &topology,
+                   const ReferenceCellData &reference,
+                   std::vector<double>      viscosities)
+    : topology(topology)
+    , reference(reference)
+    , viscosities(std::move(viscosities))
+  {}
+
+  void
+  Damping::add_to(State &state, const Activity &activity)
+  {
+    forces.assign(state.n_nodes(), {});
+    for (const MaterialRange &range : topology.material_ranges)
+      {
+        const double eta = viscosities[range.material];
+        for (std::size_t b = range.begin; b < range.end && eta > 0; ++b)
+          {
+            if (!activity.is_awake(b))
+              continue;
+            const auto h =
+              gradient(reference[b], topology.batches[b], state.displacement);
+            const auto rate =
+              gradient(reference[b], topology.batches[b], state.velocity);
+            const auto inverse = inverse_deformation_gradient(h);
+
+            // L = dF/dt F^-1, d = sym L, P = J (eta d) F^-T
+            Matrix3<Simd> l{}, p{};
+            for (unsigned int i = 0; i < dim; ++i)
+              for (unsigned int j = 0; j < dim; ++j)
+                for (unsigned int k = 0; k < dim; ++k)
+                  l[i][j] += rate[i][k] * inverse[k][j];
+            const Simd factor = (.5 * eta) * volume_ratio(h);
+            for (unsigned int i = 0; i < dim; ++i)
+              for (unsigned int j = 0; j < dim; ++j)
+                for (unsigned int k = 0; k < dim; ++k)
+                  p[i][j] += factor * (l[i][k] + l[k][i]) * inverse[j][k];
+            scatter_stress_force(reference[b], topology.batches[b], p, forces);
+          }
+      }
+    for (std::size_t i = 0; i < forces.size(); ++i)
+      state.force[i].row() += forces[i].row();
+  }
+
+  void
+  Damping::count_work(const State &state, const double time_step)
+  {
+    // As for loads: half a step with the velocity before and half with that
+    // after the kick.
+    double before = 0, after = 0;
+    for (std::size_t i = 0; i < forces.size(); ++i)
+      {
+        const Vector3<double> f     = forces[i].vector();
+        const double          power = dot(f, state.velocity[i].vector());
+        before -= power;
+        after -= power + time_step / state.mass[i] *
+                           dot(f, state.force[i].vector());
+      }
+    dissipated_until_now    = dissipated_in_half_step + .5 * time_step * before;
+    dissipated_in_half_step = dissipated_until_now + .5 * time_step * after;
+  }
+} // namespace rift

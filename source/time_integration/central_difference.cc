@@ -1,0 +1,48 @@
+#include <rift/time_integration/central_difference.h>
+
+#include <algorithm>
+
+namespace rift
+{
+  void
+  advance(State &state, const Activity &activity, const double time_step)
+  {
+    const std::size_t n_nodes = state.n_nodes();
+    for (std::size_t begin = 0; begin < n_nodes; begin += Activity::block_size)
+      {
+        if (!activity.is_block_awake(begin / Activity::block_size))
+          continue;
+        const std::size_t end =
+          std::min(begin + Activity::block_size, n_nodes);
+        for (std::size_t i = begin; i < end; ++i)
+          {
+            const double factor = time_step / state.mass[i];
+            state.velocity[i].row() += factor * state.force[i].row();
+            state.displacement[i].row() += time_step * state.velocity[i].row();
+            state.force[i] = NodalVector();
+          }
+      }
+    state.time = ++state.step * time_step;
+  }
+
+  void
+  start_velocities(State &state, const double time_step)
+  {
+    for (std::size_t i = 0; i < state.n_nodes(); ++i)
+      state.velocity[i].row() -=
+        .5 * time_step / state.mass[i] * state.force[i].row();
+  }
+
+  double
+  kinetic_energy(const State &state, const double time_step)
+  {
+    double sum = 0;
+    for (std::size_t i = 0; i < state.n_nodes(); ++i)
+      {
+        const Vector3<double> v = state.velocity[i].vector();
+        sum += .5 * (state.mass[i] * dot(v, v) +
+                     time_step * dot(v, state.force[i].vector()));
+      }
+    return sum;
+  }
+} // namespace rift
