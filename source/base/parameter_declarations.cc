@@ -183,9 +183,9 @@ namespace rift
     std::ostringstream text;
     prm.print_parameters(
         text, ParameterHandler::JSON | ParameterHandler::KeepDeclarationOrder);
+    const auto tree = nlohmann::ordered_json::parse(text.str());
     std::vector<ParameterDeclaration> result;
-    for (const auto &[name, node] :
-         nlohmann::ordered_json::parse(text.str()).items())
+    for (const auto &[name, node] : tree.items())
       if (node.contains("pattern"))
         result.push_back(declaration("", name, node));
       else

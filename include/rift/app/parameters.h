@@ -8,6 +8,7 @@
 #include <rift/mesh/mesh_parameters.h>
 #include <rift/time_integration/time_parameters.h>
 
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -26,8 +27,51 @@ namespace rift
     TimeParameters                  time;
     OutputParameters                output;
     std::vector<ProbeParameters>    probes;
+
+    /** The same as the text of a .prm; see used_parameters(). */
+    std::string used_text;
   };
 
+  /** The first words of the subsections that a scene names itself. */
+  std::vector<std::string>
+  section_kinds();
+
+  /** The names that a scene gives to its subsections of each kind. */
+  struct SectionNames
+  {
+    std::vector<std::string> materials;
+    std::vector<std::string> boundaries;
+    std::vector<std::string> probes;
+  };
+
+  /** Declares everything that a scene with these names may set. */
+  void
+  declare_parameters(dealii::ParameterHandler &prm, const SectionNames &names);
+
+  /**
+   * Reads and checks a scene. Each of `overrides` is a text
+   * `Section/Name=value` that takes the place of what the file says, as if it
+   * stood there: paths in it start from the folder of the scene.
+   *
+   * Throws InputError, with file, line, the value and what to do, for whatever
+   * is wrong without looking into the mesh and the tables.
+   */
+  Parameters
+  read_parameters(const std::string              &prm_file,
+                  const std::vector<std::string> &overrides = {});
+
+  /**
+   * The text of a .prm with all values as used: those of the scene, of the
+   * overrides and the defaults, without what has no effect. Paths are
+   * absolute, so that it can be read from anywhere and then gives the same
+   * parameters again.
+   */
+  std::string
+  used_parameters(const Parameters &parameters);
+
+  /** Says in a few lines what a scene is, for `rift --validate`. */
+  void
+  print_summary(std::ostream &out, const Parameters &parameters);
 } // namespace rift
 
 #endif

@@ -1,0 +1,248 @@
+#include <deal.II/base/parameter_handler.h>
+
+#include <rift/app/parameters.h>
+#include <rift/base/parameter_declarations.h>
+#include <rift/base/parameter_text.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+namespace rift
+{
+  namespace
+  {
+    // All that has no effect with the values of this scene.
+    std::vector<InertEntries>
+    inert_entries(const Parameters &parameters)
+    {
+      std::vector<InertEntries> result = parameters.mesh.inert_entries();
+      const auto add = [&](const std::vector<InertEntries> &more) {
+        result.insert(result.end(), more.begin(), more.end());
+      };
+      add(parameters.cohesive.inert_entries());
+      add(parameters.time.inert_entries());
+      for (const ProbeParameters &probe : parameters.probes)
+        add(probe.inert_entries());
+
+      InertEntries seed{"Fracture", {"Seed"}, {}, "without a Weibull modulus"};
+      bool         has_scatter = false;
+      for (const MaterialParameters &material : parameters.materials)
+      {
+        add(material.inert_entries());
+        has_scatter = has_scatter || material.weibull_modulus != 0;
+        seed.causes.emplace_back("Material " + material.name,
+                                 "Weibull modulus");
+      }
+      if (!has_scatter &&
+          parameters.cohesive.model != CohesiveParameters::Model::none)
+        result.push_back(seed);
+      return result;
+    }
+
+    // What can only be seen by looking at more than one subsection.
+    void
+    check_together(const Parameters &parameters, const ParameterFile &scene)
+    {
+      const auto &materials = parameters.materials;
+      if (materials.empty())
+        throw InputError(scene.path() +
+                         ": there is no material. Write a subsection "
+                         "\"Material NAME\" for each physical volume of the "
+                         "mesh.");
+      if (parameters.mesh.shape != MeshParameters::Shape::file)
+        for (const MaterialParameters &material : materials)
+          if (material.name != parameters.mesh.material)
+            throw ParameterError("Mesh",
+                                 "Material",
+                                 "\"" + parameters.mesh.material +
+                                     "\" is the only material of a built-in "
+                                     "shape, but there is a subsection "
+                                     "\"Material " +
+                                     material.name +
+                                     "\". Make the names the same.");
+      if (parameters.cohesive.model != CohesiveParameters::Model::none)
+      {
+        if (std::none_of(materials.begin(), materials.end(), [](const auto &m) {
+              return m.breakable;
+            }))
+          throw ParameterError("Fracture",
+                               "Cohesive model",
+                               "no material is breakable. Set Breakable = "
+                               "true in one, or Cohesive model = none.");
+        for (const MaterialParameters &material : materials)
+          material.check_breakable();
+      }
+    }
+
+    void
+    check(const Parameters &parameters, const ParameterFile &scene)
+    {
+      scene.refuse_inert(inert_entries(parameters));
+      parameters.mesh.check();
+      for (const MaterialParameters &material : parameters.materials)
+        material.check();
+      for (const BoundaryParameters &boundary : parameters.boundaries)
+        boundary.check();
+      parameters.cohesive.check();
+      parameters.time.check();
+      parameters.output.check();
+      check_together(parameters, scene);
+    }
+
+    Parameters
+    parse(dealii::ParameterHandler &prm,
+          const SectionNames       &names,
+          const ParameterFile      &scene)
+    {
+      Parameters result;
+      result.title = prm.get("Title");
+      result.mesh  = MeshParameters::parse(prm, scene);
+      for (const std::string &name : names.materials)
+        result.materials.push_back(MaterialParameters::parse(prm, name));
+      for (const std::string &name : names.boundaries)
+        result.boundaries.push_back(
+            BoundaryParameters::parse(prm, name, scene));
+      result.body_force = BodyForceParameters::parse(prm);
+      result.cohesive   = CohesiveParameters::parse(prm);
+      result.time       = TimeParameters::parse(prm);
+      result.output     = OutputParameters::parse(prm);
+      for (const std::string &name : names.probes)
+        result.probes.push_back(ProbeParameters::parse(prm, name, scene));
+      return result;
+    }
+
+    // The value of an entry for a .prm in any folder.
+    std::string
+    absolute_value(const ParameterDeclaration &entry,
+                   const ParameterFile        &scene)
+    {
+      const bool is_mesh  = entry.section == "Mesh" && entry.name == "File";
+      const bool is_table = entry.section.compare(0, 9, "Boundary ") == 0 &&
+                            ends_with(entry.value, ".csv");
+      return is_mesh || is_table
+                 ? std::filesystem::absolute(
+                       scene.resolve(entry.section, entry.name, entry.value))
+                       .lexically_normal()
+                       .string()
+                 : entry.value;
+    }
+
+    // See used_parameters().
+    std::string
+    used_text(const dealii::ParameterHandler  &prm,
+              const std::vector<InertEntries> &inert,
+              const ParameterFile             &scene)
+    {
+      const auto is_inert = [&](const ParameterDeclaration &entry) {
+        return std::any_of(inert.begin(), inert.end(), [&](const auto &group) {
+          return group.section == entry.section &&
+                 std::count(
+                     group.names.begin(), group.names.end(), entry.name) > 0;
+        });
+      };
+      std::ostringstream out;
+      std::string        section;
+      for (const ParameterDeclaration &entry : declarations(prm))
+      {
+        if (entry.section != section)
+        {
+          out << (section.empty() ? "" : "end\n") << "\nsubsection "
+              << entry.section << '\n';
+          section = entry.section;
+        }
+        if (!entry.value.empty() && !is_inert(entry))
+          out << (section.empty() ? "" : "  ") << "set " << entry.name << " = "
+              << absolute_value(entry, scene) << '\n';
+      }
+      out << "end\n";
+      return out.str();
+    }
+  } // namespace
+
+  std::vector<std::string>
+  section_kinds()
+  {
+    return {"Material", "Boundary", "Probe"};
+  }
+
+  void
+  declare_parameters(dealii::ParameterHandler &prm, const SectionNames &names)
+  {
+    prm.declare_entry("Title",
+                      "",
+                      dealii::Patterns::Anything(),
+                      "A line about the scene, for the log.");
+    MeshParameters::declare(prm);
+    for (const std::string &name : names.materials)
+      MaterialParameters::declare(prm, name);
+    for (const std::string &name : names.boundaries)
+      BoundaryParameters::declare(prm, name);
+    BodyForceParameters::declare(prm);
+    CohesiveParameters::declare(prm);
+    TimeParameters::declare(prm);
+    OutputParameters::declare(prm);
+    for (const std::string &name : names.probes)
+      ProbeParameters::declare(prm, name);
+  }
+
+  Parameters
+  read_parameters(const std::string              &prm_file,
+                  const std::vector<std::string> &overrides)
+  {
+    const ParameterFile      scene(prm_file, overrides);
+    const SectionNames       names{scene.names_of("Material"),
+                             scene.names_of("Boundary"),
+                             scene.names_of("Probe")};
+    dealii::ParameterHandler prm;
+    declare_parameters(prm, names);
+    apply(scene, section_kinds(), prm);
+    try
+    {
+      Parameters result = parse(prm, names, scene);
+      check(result, scene);
+      result.used_text = used_text(prm, inert_entries(result), scene);
+      return result;
+    }
+    catch (const ParameterError &error)
+    {
+      throw InputError(scene.describe(error));
+    }
+  }
+
+  std::string
+  used_parameters(const Parameters &parameters)
+  {
+    return parameters.used_text;
+  }
+
+  void
+  print_summary(std::ostream &out, const Parameters &parameters)
+  {
+    const auto names = [](const auto &list) {
+      std::string result;
+      for (const auto &entry : list)
+        result += (result.empty() ? "" : ", ") + entry.name;
+      return result.empty() ? std::string("none") : result;
+    };
+    const MeshParameters &mesh = parameters.mesh;
+    if (!parameters.title.empty())
+      out << "title:      " << parameters.title << '\n';
+    out << "mesh:       "
+        << (mesh.shape == MeshParameters::Shape::file  ? mesh.file
+            : mesh.shape == MeshParameters::Shape::box ? "built-in box"
+                                                       : "built-in cylinder")
+        << '\n'
+        << "materials:  " << names(parameters.materials) << '\n'
+        << "boundaries: " << names(parameters.boundaries) << '\n'
+        << "probes:     " << names(parameters.probes) << '\n'
+        << "fracture:   "
+        << (parameters.cohesive.model == CohesiveParameters::Model::none
+                ? "none"
+                : "extrinsic")
+        << '\n'
+        << "end time:   " << short_text(parameters.time.end_time) << " s\n"
+        << "output:     " << parameters.output.directory << '\n';
+  }
+} // namespace rift

@@ -1,0 +1,88 @@
+#include <deal.II/base/mpi.h>
+
+#include <rift/app/command_line.h>
+#include <rift/app/parameter_reference.h>
+#include <rift/app/parameters.h>
+#include <rift/app/run.h>
+#include <rift/base/exceptions.h>
+
+#include <iostream>
+#include <new>
+
+namespace
+{
+  void
+  execute(const rift::CommandLine &command, const bool speaks)
+  {
+    using Action = rift::CommandLine::Action;
+    // The other ranks have nothing to print.
+    std::ostream  nowhere(nullptr);
+    std::ostream &out = speaks ? std::cout : nowhere;
+    switch (command.action)
+    {
+    case Action::print_text:
+      out << command.text;
+      break;
+    case Action::print_defaults:
+      rift::print_defaults(out);
+      break;
+    case Action::print_reference:
+      rift::generate_reference(out);
+      break;
+    case Action::validate:
+      rift::print_summary(
+          out, rift::read_parameters(command.scene, command.overrides));
+      break;
+    case Action::run:
+      rift::run_simulation(
+          rift::read_parameters(command.scene, command.overrides));
+      break;
+    }
+    if (speaks && !std::cout.flush())
+      throw rift::DiskError("cannot write to the standard output.");
+  }
+
+  int
+  complain(const std::string   &message,
+           const rift::ExitCode exit_code,
+           const bool           speaks)
+  {
+    if (speaks)
+      std::cerr << "rift: error: " << message << std::endl;
+    return static_cast<int>(exit_code);
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  // One thread: ranks are rift's only kind of parallelism.
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  const bool speaks =
+      dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  try
+  {
+    execute(rift::parse_command_line(argc, argv), speaks);
+  }
+  catch (const rift::Error &error)
+  {
+    return complain(error.what(), error.exit_code, speaks);
+  }
+  catch (const std::bad_alloc &)
+  {
+    return complain("the memory of this machine is too small for this "
+                    "scene. Use larger elements.",
+                    rift::ExitCode::run_error,
+                    speaks);
+  }
+  catch (const std::exception &error)
+  {
+    return complain(std::string("rift has failed in a way that it does not "
+                                "foresee. Please report this: ") +
+                        error.what(),
+                    rift::ExitCode::run_error,
+                    speaks);
+  }
+  return static_cast<int>(rift::ExitCode::done);
+}
