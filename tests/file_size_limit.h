@@ -15,7 +15,7 @@ namespace rift
   {
   public:
     explicit FileSizeLimit(const rlim_t n_bytes)
-        : old_handler(std::signal(SIGXFSZ, SIG_IGN))
+      : old_handler(std::signal(SIGXFSZ, SIG_IGN))
     {
       ::getrlimit(RLIMIT_FSIZE, &old_limit);
       rlimit limit   = old_limit;

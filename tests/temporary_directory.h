@@ -15,8 +15,7 @@ namespace rift
   {
   public:
     TemporaryDirectory()
-        : path(
-              (std::filesystem::temp_directory_path() / "rift-XXXXXX").string())
+      : path((std::filesystem::temp_directory_path() / "rift-XXXXXX").string())
     {
       if (::mkdtemp(path.data()) == nullptr)
         throw std::runtime_error("cannot create " + path);
@@ -61,13 +60,13 @@ namespace rift
   message_of(const Function &f)
   {
     try
-    {
-      f();
-    }
+      {
+        f();
+      }
     catch (const Exception &exception)
-    {
-      return exception.what();
-    }
+      {
+        return exception.what();
+      }
     return "(nothing was thrown)";
   }
 } // namespace rift

@@ -18,23 +18,23 @@ namespace rift
     advice(const int error)
     {
       switch (error)
-      {
-      case ENOSPC:
-      case EDQUOT:
-        return "Make room on this disk, or write to another one.";
-      case EFBIG:
-        return "Raise the limit on the size of a file (ulimit -f), or "
-               "write to another disk.";
-      case EACCES:
-      case EPERM:
-      case EROFS:
-        return "Choose an output directory in which you may write.";
-      case ENOENT:
-      case ENOTDIR:
-        return "Check that its folder exists.";
-      default:
-        return "Check the disk, or choose another output directory.";
-      }
+        {
+        case ENOSPC:
+        case EDQUOT:
+          return "Make room on this disk, or write to another one.";
+        case EFBIG:
+          return "Raise the limit on the size of a file (ulimit -f), or "
+                 "write to another disk.";
+        case EACCES:
+        case EPERM:
+        case EROFS:
+          return "Choose an output directory in which you may write.";
+        case ENOENT:
+        case ENOTDIR:
+          return "Check that its folder exists.";
+        default:
+          return "Check the disk, or choose another output directory.";
+        }
     }
 
     std::string
@@ -59,9 +59,9 @@ namespace rift
   }
 
   OutputFile::OutputFile(const std::string &path)
-      : path(path)
-      , descriptor(::open(
-            path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666))
+    : path(path)
+    , descriptor(
+        ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666))
   {
     if (descriptor < 0)
       throw_disk_error("create", path, errno);
@@ -77,13 +77,13 @@ namespace rift
   OutputFile::write(std::string_view data)
   {
     while (!data.empty())
-    {
-      const ssize_t written = ::write(descriptor, data.data(), data.size());
-      if (written >= 0)
-        data.remove_prefix(written);
-      else if (errno != EINTR)
-        throw_disk_error("write", path, errno);
-    }
+      {
+        const ssize_t written = ::write(descriptor, data.data(), data.size());
+        if (written >= 0)
+          data.remove_prefix(written);
+        else if (errno != EINTR)
+          throw_disk_error("write", path, errno);
+      }
   }
 
   void
@@ -103,9 +103,9 @@ namespace rift
   }
 
   AtomicFile::AtomicFile(const std::string &path)
-      : path(path)
-      , temporary_path(path + ".tmp")
-      , file(temporary_path)
+    : path(path)
+    , temporary_path(path + ".tmp")
+    , file(temporary_path)
   {
   }
 
@@ -142,8 +142,8 @@ namespace rift
 
   HistoryFile::HistoryFile(const std::string              &path,
                            const std::vector<std::string> &columns)
-      : n_columns(columns.size())
-      , file(path)
+    : n_columns(columns.size())
+    , file(path)
   {
     for (std::size_t i = 0; i < n_columns; ++i)
       buffer += (i > 0 ? "," : "") + csv_cell(columns[i]);
@@ -154,13 +154,13 @@ namespace rift
   HistoryFile::~HistoryFile()
   {
     try
-    {
-      flush();
-    }
+      {
+        flush();
+      }
     catch (const DiskError &)
-    {
-      // A destructor may not throw; documented.
-    }
+      {
+        // A destructor may not throw; documented.
+      }
   }
 
   void
@@ -168,14 +168,14 @@ namespace rift
   {
     if (values.size() != n_columns)
       throw std::invalid_argument(
-          "HistoryFile: a row of " + std::to_string(values.size()) +
-          " values in a table of " + std::to_string(n_columns) + " columns");
+        "HistoryFile: a row of " + std::to_string(values.size()) +
+        " values in a table of " + std::to_string(n_columns) + " columns");
     for (std::size_t i = 0; i < n_columns; ++i)
-    {
-      if (i > 0)
-        buffer += ',';
-      buffer += to_text(values[i]);
-    }
+      {
+        if (i > 0)
+          buffer += ',';
+        buffer += to_text(values[i]);
+      }
     buffer += '\n';
 
     constexpr std::size_t large = 1 << 16;

@@ -13,8 +13,8 @@ namespace rift
   } // namespace
 
   Log::Log(std::ostream *terminal, const bool interactive)
-      : terminal(terminal)
-      , interactive(terminal != nullptr && interactive)
+    : terminal(terminal)
+    , interactive(terminal != nullptr && interactive)
   {
   }
 
@@ -30,10 +30,10 @@ namespace rift
   Log::write(const std::string &line)
   {
     if (terminal != nullptr)
-    {
-      status("");
-      *terminal << line << '\n' << std::flush;
-    }
+      {
+        status("");
+        *terminal << line << '\n' << std::flush;
+      }
     if (file)
       file->write(line + '\n');
     else

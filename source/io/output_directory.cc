@@ -19,7 +19,7 @@ namespace rift
     {
       return text.size() >= ending.size() &&
              text.compare(text.size() - ending.size(), ending.size(), ending) ==
-                 0;
+               0;
     }
 
     /** Whether `name` is `series`, a number of five digits or more, `.vtu`. */
@@ -57,8 +57,9 @@ namespace rift
                          "Directory or with --output.");
       fs::create_directories(directory, error);
       if (error)
-        throw_disk_error(
-            "create the output directory", directory, error.value());
+        throw_disk_error("create the output directory",
+                         directory,
+                         error.value());
     }
 
     /** The results of an older run, in order of their names. */
@@ -126,20 +127,20 @@ namespace rift
 
     if (!results.empty() && !overwrite)
       throw InputError(
-          "The output directory " + directory +
-          " holds results of an older run: " + std::to_string(results.size()) +
-          (results.size() == 1 ? " file, " : " files, the first is ") +
-          results.front().filename().string() +
-          ". Choose another directory with --output, or set Output / Overwrite "
-          "to true to replace them.");
+        "The output directory " + directory +
+        " holds results of an older run: " + std::to_string(results.size()) +
+        (results.size() == 1 ? " file, " : " files, the first is ") +
+        results.front().filename().string() +
+        ". Choose another directory with --output, or set Output / Overwrite "
+        "to true to replace them.");
 
     check_writable(directory);
     for (const auto &path : results)
-    {
-      std::error_code error;
-      fs::remove(path, error);
-      if (error)
-        throw_disk_error("remove", path.string(), error.value());
-    }
+      {
+        std::error_code error;
+        fs::remove(path, error);
+        if (error)
+          throw_disk_error("remove", path.string(), error.value());
+      }
   }
 } // namespace rift

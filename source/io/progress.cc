@@ -34,13 +34,13 @@ namespace rift
                      const double        start_time,
                      const double        end_time,
                      const Clock        &clock)
-      : log(log)
-      , n_cells(n_cells)
-      , start_time(start_time)
-      , end_time(end_time)
-      , clock(clock)
-      , wall_start(clock())
-      , wall_last(wall_start)
+    : log(log)
+    , n_cells(n_cells)
+    , start_time(start_time)
+    , end_time(end_time)
+    , clock(clock)
+    , wall_start(clock())
+    , wall_last(wall_start)
   {
   }
 
@@ -57,15 +57,15 @@ namespace rift
   Progress::update(const std::uint64_t steps, const double time)
   {
     const double fraction =
-        end_time > start_time
-            ? std::clamp((time - start_time) / (end_time - start_time), 0., 1.)
-            : 1.;
+      end_time > start_time ?
+        std::clamp((time - start_time) / (end_time - start_time), 0., 1.) :
+        1.;
     // Steps do not add up to tenths exactly.
     const unsigned int tenths = static_cast<unsigned int>(10 * fraction + 1e-9);
     const double       wall   = clock();
 
-    if (log.is_interactive() ? wall - wall_last < 0.1
-                             : tenths == tenths_last && wall - wall_last < 30)
+    if (log.is_interactive() ? wall - wall_last < 0.1 :
+                               tenths == tenths_last && wall - wall_last < 30)
       return;
     wall_last   = wall;
     tenths_last = tenths;

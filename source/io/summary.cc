@@ -46,7 +46,7 @@ namespace rift
 
     // A name that is no UTF-8 must not cost the user the summary of a run.
     const std::string text =
-        json.dump(2, ' ', false, Json::error_handler_t::replace);
+      json.dump(2, ' ', false, Json::error_handler_t::replace);
     write_file_atomically(path, text + '\n');
   }
 } // namespace rift

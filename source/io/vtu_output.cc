@@ -21,22 +21,22 @@ namespace rift
       std::string result = "\"";
       for (const char c : text)
         switch (c)
-        {
-        case '&':
-          result += "&amp;";
-          break;
-        case '<':
-          result += "&lt;";
-          break;
-        case '>':
-          result += "&gt;";
-          break;
-        case '"':
-          result += "&quot;";
-          break;
-        default:
-          result += c;
-        }
+          {
+          case '&':
+            result += "&amp;";
+            break;
+          case '<':
+            result += "&lt;";
+            break;
+          case '>':
+            result += "&gt;";
+            break;
+          case '"':
+            result += "&quot;";
+            break;
+          default:
+            result += c;
+          }
       return result + '"';
     }
 
@@ -82,8 +82,9 @@ namespace rift
       add_compressed(const Bytef *bytes, const std::size_t n_bytes)
       {
         const std::size_t n_blocks = (n_bytes + block_size - 1) / block_size;
-        std::vector<std::uint64_t> sizes = {
-            n_blocks, block_size, n_bytes % block_size};
+        std::vector<std::uint64_t> sizes = {n_blocks,
+                                            block_size,
+                                            n_bytes % block_size};
         sizes.resize(3 + n_blocks);
 
         const std::size_t header = data.size();
@@ -91,18 +92,18 @@ namespace rift
 
         std::vector<Bytef> compressed(compressBound(block_size));
         for (std::size_t block = 0; block < n_blocks; ++block)
-        {
-          const std::size_t begin = block * block_size;
-          uLongf            size  = compressed.size();
-          if (compress2(compressed.data(),
-                        &size,
-                        bytes + begin,
-                        std::min(block_size, n_bytes - begin),
-                        Z_BEST_SPEED) != Z_OK)
-            throw std::bad_alloc(); // the only way in which it can fail
-          sizes[3 + block] = size;
-          append_bytes(compressed.data(), size, data);
-        }
+          {
+            const std::size_t begin = block * block_size;
+            uLongf            size  = compressed.size();
+            if (compress2(compressed.data(),
+                          &size,
+                          bytes + begin,
+                          std::min(block_size, n_bytes - begin),
+                          Z_BEST_SPEED) != Z_OK)
+              throw std::bad_alloc(); // the only way in which it can fail
+            sizes[3 + block] = size;
+            append_bytes(compressed.data(), size, data);
+          }
         std::copy_n(reinterpret_cast<const char *>(sizes.data()),
                     8 * sizes.size(),
                     &data[header]);
@@ -120,18 +121,18 @@ namespace rift
     check(const std::vector<OutputField> &fields, const std::size_t n_items)
     {
       for (const auto &field : fields)
-      {
-        require(field.n_components == 1 || field.n_components == 3 ||
+        {
+          require(field.n_components == 1 || field.n_components == 3 ||
                     field.n_components == 6,
-                "field " + field.name + " has " +
+                  "field " + field.name + " has " +
                     std::to_string(field.n_components) +
                     " components instead of 1, 3 or 6");
-        require(field.values.size() == field.n_components * n_items,
-                "field " + field.name + " has " +
+          require(field.values.size() == field.n_components * n_items,
+                  "field " + field.name + " has " +
                     std::to_string(field.values.size()) +
                     " values instead of " +
                     std::to_string(field.n_components * n_items));
-      }
+        }
     }
 
     void
@@ -140,7 +141,7 @@ namespace rift
       const auto &cells = solution.cells;
       require(solution.nodes_per_cell == 3 || solution.nodes_per_cell == 4,
               "cells have " + std::to_string(solution.nodes_per_cell) +
-                  " nodes instead of 3 or 4");
+                " nodes instead of 3 or 4");
       require(cells.size() % solution.nodes_per_cell == 0,
               "the last cell is incomplete");
       const auto largest = std::max_element(cells.begin(), cells.end());
@@ -157,11 +158,13 @@ namespace rift
                                      " NumberOfComponents=\"" +
                                      std::to_string(field.n_components) + '"';
       if (field.n_components < 6)
-      {
-        file.add_array(
-            "Float32", attributes, field.values.data(), field.values.size());
-        return;
-      }
+        {
+          file.add_array("Float32",
+                         attributes,
+                         field.values.data(),
+                         field.values.size());
+          return;
+        }
 
       // VTK's order is xx yy zz xy yz xz.
       constexpr unsigned int vtk_order[6] = {0, 1, 2, 5, 3, 4};
@@ -170,9 +173,9 @@ namespace rift
         reordered[i] = field.values[i - i % 6 + vtk_order[i % 6]];
       file.add_array("Float32",
                      attributes +
-                         " ComponentName0=\"XX\" ComponentName1=\"YY\""
-                         " ComponentName2=\"ZZ\" ComponentName3=\"XY\""
-                         " ComponentName4=\"YZ\" ComponentName5=\"XZ\"",
+                       " ComponentName0=\"XX\" ComponentName1=\"YY\""
+                       " ComponentName2=\"ZZ\" ComponentName3=\"XY\""
+                       " ComponentName4=\"YZ\" ComponentName5=\"XZ\"",
                      reordered.data(),
                      reordered.size());
     }
@@ -182,7 +185,7 @@ namespace rift
     {
       constexpr int     vtk_triangle = 5, vtk_tetrahedron = 10;
       const std::size_t n_cells =
-          solution.cells.size() / solution.nodes_per_cell;
+        solution.cells.size() / solution.nodes_per_cell;
 
       file.add_array("Int32",
                      "Name=\"connectivity\"",
@@ -195,8 +198,8 @@ namespace rift
       file.add_array("Int32", "Name=\"offsets\"", offsets.data(), n_cells);
 
       const std::vector<std::uint8_t> types(
-          n_cells,
-          solution.nodes_per_cell == 3 ? vtk_triangle : vtk_tetrahedron);
+        n_cells,
+        solution.nodes_per_cell == 3 ? vtk_triangle : vtk_tetrahedron);
       file.add_array("UInt8", "Name=\"types\"", types.data(), n_cells);
     }
 
@@ -205,17 +208,16 @@ namespace rift
     {
       FileContent file;
       file.xml =
-          "<?xml version=\"1.0\"?>\n"
-          "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
-          "byte_order=\"LittleEndian\" header_type=\"UInt64\" "
-          "compressor=\"vtkZLibDataCompressor\">\n<UnstructuredGrid>\n"
-          "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" "
-          "NumberOfTuples=\"1\" format=\"ascii\">" +
-          to_text(time) +
-          "</DataArray>\n</FieldData>\n<Piece NumberOfPoints=\"" +
-          std::to_string(solution.points.size()) + "\" NumberOfCells=\"" +
-          std::to_string(solution.cells.size() / solution.nodes_per_cell) +
-          "\">\n<Points>\n";
+        "<?xml version=\"1.0\"?>\n"
+        "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
+        "byte_order=\"LittleEndian\" header_type=\"UInt64\" "
+        "compressor=\"vtkZLibDataCompressor\">\n<UnstructuredGrid>\n"
+        "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" "
+        "NumberOfTuples=\"1\" format=\"ascii\">" +
+        to_text(time) + "</DataArray>\n</FieldData>\n<Piece NumberOfPoints=\"" +
+        std::to_string(solution.points.size()) + "\" NumberOfCells=\"" +
+        std::to_string(solution.cells.size() / solution.nodes_per_cell) +
+        "\">\n<Points>\n";
       file.add_array("Float64",
                      "Name=\"Points\" NumberOfComponents=\"3\"",
                      solution.points.data(),
@@ -253,8 +255,8 @@ namespace rift
 
   SolutionSeries::SolutionSeries(const std::string &directory,
                                  const std::string &name)
-      : directory(directory)
-      , name(name)
+    : directory(directory)
+    , name(name)
   {
   }
 

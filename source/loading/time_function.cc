@@ -50,19 +50,19 @@ namespace rift
     {
       for (std::size_t i = 0; i < text.size(); ++i)
         if (text[i] == '=')
-        {
-          const bool after_comparison =
+          {
+            const bool after_comparison =
               i > 0 &&
               std::string("<>!").find(text[i - 1]) != std::string::npos;
-          const bool doubled = i + 1 < text.size() && text[i + 1] == '=';
-          if (!after_comparison && !doubled)
-            refuse(text,
-                   where,
-                   "it assigns a value at position " + std::to_string(i) +
+            const bool doubled = i + 1 < text.size() && text[i + 1] == '=';
+            if (!after_comparison && !doubled)
+              refuse(text,
+                     where,
+                     "it assigns a value at position " + std::to_string(i) +
                        "; a comparison is ==.");
-          if (doubled)
-            ++i;
-        }
+            if (doubled)
+              ++i;
+          }
     }
 
     std::function<double(double)>
@@ -71,29 +71,29 @@ namespace rift
       check_no_assignment(text, where);
       const auto expression = std::make_shared<Expression>();
       try
-      {
-        expression->parser.DefineVar("t", &expression->t);
-        expression->parser.DefineConst("pi", std::acos(-1.0));
-        expression->parser.SetExpr(text);
+        {
+          expression->parser.DefineVar("t", &expression->t);
+          expression->parser.DefineConst("pi", std::acos(-1.0));
+          expression->parser.SetExpr(text);
 
-        // muParser looks at the text when it is first evaluated.
-        int n_results = 0;
-        expression->parser.Eval(n_results);
-        if (n_results != 1)
-          refuse(text,
-                 where,
-                 "it has " + std::to_string(n_results) +
+          // muParser looks at the text when it is first evaluated.
+          int n_results = 0;
+          expression->parser.Eval(n_results);
+          if (n_results != 1)
+            refuse(text,
+                   where,
+                   "it has " + std::to_string(n_results) +
                      " values, separated by commas, instead of one.");
-      }
+        }
       catch (const mu::ParserError &error)
-      {
-        std::string reason = error.GetMsg();
-        const auto  position =
+        {
+          std::string reason = error.GetMsg();
+          const auto  position =
             std::min<std::size_t>(error.GetPos(), text.size());
-        if (reason.find("position") == std::string::npos)
-          reason += " at position " + std::to_string(position);
-        refuse(text, where, reason + (reason.back() == '.' ? "" : "."));
-      }
+          if (reason.find("position") == std::string::npos)
+            reason += " at position " + std::to_string(position);
+          refuse(text, where, reason + (reason.back() == '.' ? "" : "."));
+        }
       return [expression](const double t) {
         expression->t = t;
         return expression->parser.Eval();
@@ -104,8 +104,8 @@ namespace rift
   TimeFunction::TimeFunction(const std::string &text,
                              const std::string &where,
                              const std::string &unit)
-      : text(trim(text))
-      , where(where)
+    : text(trim(text))
+    , where(where)
   {
     if (this->text.empty())
       refuse(this->text, where, "it is empty.");

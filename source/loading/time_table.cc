@@ -70,7 +70,7 @@ namespace rift
     check_header(const Line &line, const std::string &unit)
     {
       const std::string example =
-          "\"time [s],value [" + (unit.empty() ? "Pa" : unit) + "]\"";
+        "\"time [s],value [" + (unit.empty() ? "Pa" : unit) + "]\"";
       if (unit_of(line.cells[0]).empty() || unit_of(line.cells[1]).empty())
         throw InputError(line.where + "found \"" + line.text +
                          "\" instead of a header. The first line must name "
@@ -81,12 +81,11 @@ namespace rift
       const std::string expected[2] = {"s", unit};
       for (unsigned int i = 0; i < 2; ++i)
         if (!expected[i].empty() && unit_of(line.cells[i]) != expected[i])
-          throw InputError(line.where + "the unit of column " +
-                           std::to_string(i + 1) + " is [" +
-                           std::string(unit_of(line.cells[i])) +
-                           "], but must be [" + expected[i] +
-                           "]. Convert the numbers and write the header as " +
-                           example + ".");
+          throw InputError(
+            line.where + "the unit of column " + std::to_string(i + 1) +
+            " is [" + std::string(unit_of(line.cells[i])) + "], but must be [" +
+            expected[i] + "]. Convert the numbers and write the header as " +
+            example + ".");
     }
 
     double
@@ -111,37 +110,37 @@ namespace rift
     unsigned int  line_of_time   = 0;
     std::string   text;
     for (unsigned int number = 1; std::getline(file, text); ++number)
-    {
-      // Some programs mark a file as UTF-8 by three bytes at its start.
-      if (number == 1 && text.compare(0, 3, "\xEF\xBB\xBF") == 0)
-        text.erase(0, 3);
-
-      Line line;
-      line.text = std::string(trim(text.substr(0, text.find('#'))));
-      line.where =
-          where + ": table " + path + ", line " + std::to_string(number) + ": ";
-      if (line.text.empty())
-        continue;
-      line.split();
-
-      if (!header_is_read)
       {
-        check_header(line, unit);
-        header_is_read = true;
-        continue;
-      }
+        // Some programs mark a file as UTF-8 by three bytes at its start.
+        if (number == 1 && text.compare(0, 3, "\xEF\xBB\xBF") == 0)
+          text.erase(0, 3);
 
-      const double time = number_in(line, 0);
-      if (!times.empty() && !(time > times.back()))
-        throw InputError(line.where + "time " + to_text(time) +
-                         " s is not larger than " + to_text(times.back()) +
-                         " s in line " + std::to_string(line_of_time) +
-                         ". Times must increase from row to row; give a "
-                         "jump two times that differ a little.");
-      times.push_back(time);
-      values.push_back(number_in(line, 1));
-      line_of_time = number;
-    }
+        Line line;
+        line.text = std::string(trim(text.substr(0, text.find('#'))));
+        line.where =
+          where + ": table " + path + ", line " + std::to_string(number) + ": ";
+        if (line.text.empty())
+          continue;
+        line.split();
+
+        if (!header_is_read)
+          {
+            check_header(line, unit);
+            header_is_read = true;
+            continue;
+          }
+
+        const double time = number_in(line, 0);
+        if (!times.empty() && !(time > times.back()))
+          throw InputError(line.where + "time " + to_text(time) +
+                           " s is not larger than " + to_text(times.back()) +
+                           " s in line " + std::to_string(line_of_time) +
+                           ". Times must increase from row to row; give a "
+                           "jump two times that differ a little.");
+        times.push_back(time);
+        values.push_back(number_in(line, 1));
+        line_of_time = number;
+      }
     if (file.bad())
       throw InputError(where + ": the table " + path +
                        " could not be read to its end. Check the disk.");

@@ -20,15 +20,15 @@ TEST(NumberText, KeepsEveryBit)
 {
   std::mt19937_64 random(1);
   for (unsigned int i = 0; i < 10000; ++i)
-  {
-    const std::uint64_t bits = random();
-    double              value, again = 0;
-    std::memcpy(&value, &bits, 8);
-    if (!std::isfinite(value))
-      continue;
-    ASSERT_TRUE(from_text(to_text(value), again));
-    ASSERT_EQ(std::memcmp(&value, &again, 8), 0) << to_text(value);
-  }
+    {
+      const std::uint64_t bits = random();
+      double              value, again = 0;
+      std::memcpy(&value, &bits, 8);
+      if (!std::isfinite(value))
+        continue;
+      ASSERT_TRUE(from_text(to_text(value), again));
+      ASSERT_EQ(std::memcmp(&value, &again, 8), 0) << to_text(value);
+    }
 }
 
 TEST(NumberText, ReadsWhatPeopleWrite)

@@ -43,14 +43,13 @@ TEST(AtomicFile, FullDiskKeepsTheOldFile)
   std::string message;
   {
     const FileSizeLimit limit(1000);
-    message = message_of<DiskError>([&] {
-      write_file_atomically(directory / "a", std::string(5000, 'x'));
-    });
+    message = message_of<DiskError>(
+      [&] { write_file_atomically(directory / "a", std::string(5000, 'x')); });
   }
   EXPECT_EQ(message,
             "Cannot write " + (directory / "a.tmp") +
-                ": File too large. Raise the limit on the size of a file "
-                "(ulimit -f), or write to another disk.");
+              ": File too large. Raise the limit on the size of a file "
+              "(ulimit -f), or write to another disk.");
   EXPECT_EQ(read_file(directory / "a"), "old");
   EXPECT_FALSE(std::filesystem::exists(directory / "a.tmp"));
 }
@@ -59,20 +58,20 @@ TEST(AtomicFile, MissingFolder)
 {
   const TemporaryDirectory directory;
   EXPECT_EQ(message_of<DiskError>(
-                [&] { write_file_atomically(directory / "no/a", "x"); }),
+              [&] { write_file_atomically(directory / "no/a", "x"); }),
             "Cannot create " + (directory / "no/a.tmp") +
-                ": No such file or directory. Check that its folder exists.");
+              ": No such file or directory. Check that its folder exists.");
 }
 
 TEST(AtomicFile, NameIsTakenByADirectory)
 {
   const TemporaryDirectory directory;
   std::filesystem::create_directory(directory / "a");
-  EXPECT_EQ(message_of<DiskError>(
-                [&] { write_file_atomically(directory / "a", "x"); }),
-            "Cannot write " + (directory / "a") +
-                ": Is a directory. Check the disk, or choose another output "
-                "directory.");
+  EXPECT_EQ(
+    message_of<DiskError>([&] { write_file_atomically(directory / "a", "x"); }),
+    "Cannot write " + (directory / "a") +
+      ": Is a directory. Check the disk, or choose another output "
+      "directory.");
   EXPECT_FALSE(std::filesystem::exists(directory / "a.tmp"));
 }
 
@@ -80,7 +79,7 @@ TEST(DiskErrors, AdviceFitsTheReason)
 {
   const auto message = [](const int error) {
     return message_of<DiskError>(
-        [&] { throw_disk_error("write", "f", error); });
+      [&] { throw_disk_error("write", "f", error); });
   };
   EXPECT_EQ(message(EACCES),
             "Cannot write f: Permission denied. Choose an output directory in "
@@ -141,8 +140,8 @@ TEST(HistoryFile, FullDiskLater)
     const FileSizeLimit limit(2);
     EXPECT_EQ(message_of<DiskError>([&] { file.flush(); }),
               "Cannot write " + (directory / "p.csv") +
-                  ": File too large. Raise the limit on the size of a file "
-                  "(ulimit -f), or write to another disk.");
+                ": File too large. Raise the limit on the size of a file "
+                "(ulimit -f), or write to another disk.");
   }
   file.flush();
   EXPECT_EQ(read_file(directory / "p.csv"), "t\n");

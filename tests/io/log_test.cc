@@ -77,10 +77,10 @@ TEST(Progress, LineForEachTenth)
   double             wall = 100;
   Progress           progress(log, 2000000, 0, 1e-4, [&] { return wall; });
   for (unsigned int step = 1; step <= 1000; ++step)
-  {
-    wall += 0.01;
-    progress.update(step, step * 1e-7);
-  }
+    {
+      wall += 0.01;
+      progress.update(step, step * 1e-7);
+    }
   EXPECT_EQ(count_lines(terminal.str()), 10u);
   // 100 steps of 2 million cells in 1 s, 900 steps to go.
   EXPECT_EQ(terminal.str().substr(0, terminal.str().find('\n')),
@@ -94,10 +94,10 @@ TEST(Progress, LineEveryHalfMinute)
   double             wall = 0;
   Progress           progress(log, 1000, 0, 1, [&] { return wall; });
   for (unsigned int step = 1; step <= 95; ++step)
-  {
-    wall += 1;
-    progress.update(step, 1e-5 * step);
-  }
+    {
+      wall += 1;
+      progress.update(step, 1e-5 * step);
+    }
   EXPECT_EQ(count_lines(terminal.str()), 3u);
 }
 
@@ -120,10 +120,10 @@ TEST(Progress, BarOnATerminal)
   double             wall = 0;
   Progress           progress(log, 1000000, 0, 1, [&] { return wall; });
   for (unsigned int step = 1; step <= 50; ++step)
-  {
-    wall += 1. / 32;
-    progress.update(step, 0.01 * step);
-  }
+    {
+      wall += 1. / 32;
+      progress.update(step, 0.01 * step);
+    }
   const std::string text = terminal.str();
   EXPECT_EQ(count_lines(text), 0u);
   const unsigned int n_updates = std::count(text.begin(), text.end(), '\r');

@@ -22,11 +22,11 @@ TEST(OutputDirectory, OlderResultsAreRefused)
   write_file(directory / "summary.json", "{}");
   write_file(directory / "energy.csv", "t");
   EXPECT_EQ(message_of<InputError>(
-                [&] { prepare_output_directory(directory.path, false); }),
+              [&] { prepare_output_directory(directory.path, false); }),
             "The output directory " + directory.path +
-                " holds results of an older run: 2 files, the first is "
-                "energy.csv. Choose another directory with --output, or set "
-                "Output / Overwrite to true to replace them.");
+              " holds results of an older run: 2 files, the first is "
+              "energy.csv. Choose another directory with --output, or set "
+              "Output / Overwrite to true to replace them.");
   EXPECT_EQ(read_file(directory / "summary.json"), "{}");
 }
 
@@ -85,10 +85,10 @@ TEST(OutputDirectory, SceneOfTheUserIsKept)
   write_file(directory / "log.txt", "x");
   for (const bool overwrite : {false, true})
     EXPECT_EQ(message_of<InputError>(
-                  [&] { prepare_output_directory(directory.path, overwrite); }),
+                [&] { prepare_output_directory(directory.path, overwrite); }),
               "rift would write " + (directory / "parameters.prm") +
-                  ", but there is a file of that name that no earlier run has "
-                  "left. Rename it, or choose another output directory.");
+                ", but there is a file of that name that no earlier run has "
+                "left. Rename it, or choose another output directory.");
   EXPECT_EQ(read_file(directory / "parameters.prm"), "set Title = mine\n");
   EXPECT_EQ(read_file(directory / "log.txt"), "x");
 }
@@ -98,14 +98,14 @@ TEST(OutputDirectory, IsAFile)
   const TemporaryDirectory directory;
   write_file(directory / "f", "");
   EXPECT_EQ(message_of<InputError>(
-                [&] { prepare_output_directory(directory / "f", true); }),
+              [&] { prepare_output_directory(directory / "f", true); }),
             "The output directory " + (directory / "f") +
-                " is a file. Choose another name in Output / Directory or with "
-                "--output.");
+              " is a file. Choose another name in Output / Directory or with "
+              "--output.");
   EXPECT_EQ(message_of<DiskError>(
-                [&] { prepare_output_directory(directory / "f/g", true); }),
+              [&] { prepare_output_directory(directory / "f/g", true); }),
             "Cannot create the output directory " + (directory / "f/g") +
-                ": Not a directory. Check that its folder exists.");
+              ": Not a directory. Check that its folder exists.");
 }
 
 TEST(OutputDirectory, EmptyName)

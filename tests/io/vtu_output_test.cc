@@ -29,8 +29,8 @@ namespace
   {
   public:
     explicit VtuFile(const std::string &path)
-        : content(read_file(path))
-        , data_begin(content.find("encoding=\"raw\">\n_") + 17)
+      : content(read_file(path))
+      , data_begin(content.find("encoding=\"raw\">\n_") + 17)
     {
     }
 
@@ -51,8 +51,8 @@ namespace
       if (at == std::string::npos)
         return "(none)";
       return element(
-          content.substr(content.rfind('<', at),
-                         content.find('>', at) - content.rfind('<', at) + 1));
+        content.substr(content.rfind('<', at),
+                       content.find('>', at) - content.rfind('<', at) + 1));
     }
 
     template <typename Number>
@@ -60,8 +60,8 @@ namespace
     array(const std::string &name) const
     {
       const char *header =
-          &content[data_begin +
-                   std::stoul(attribute(array_element(name), "offset"))];
+        &content[data_begin +
+                 std::stoul(attribute(array_element(name), "offset"))];
       const auto number = [&](const std::size_t i) {
         std::uint64_t value;
         std::memcpy(&value, header + 8 * i, 8);
@@ -71,20 +71,20 @@ namespace
       const char         *compressed = header + 8 * (3 + n_blocks);
       std::string         bytes;
       for (std::uint64_t i = 0; i < n_blocks; ++i)
-      {
-        const bool partial  = i + 1 == n_blocks && number(2) > 0;
-        uLongf     size     = partial ? number(2) : block;
-        const auto expected = size;
-        bytes.resize(bytes.size() + size);
-        EXPECT_EQ(
+        {
+          const bool partial  = i + 1 == n_blocks && number(2) > 0;
+          uLongf     size     = partial ? number(2) : block;
+          const auto expected = size;
+          bytes.resize(bytes.size() + size);
+          EXPECT_EQ(
             uncompress(reinterpret_cast<Bytef *>(&bytes[bytes.size() - size]),
                        &size,
                        reinterpret_cast<const Bytef *>(compressed),
                        number(3 + i)),
             Z_OK);
-        EXPECT_EQ(size, expected);
-        compressed += number(3 + i);
-      }
+          EXPECT_EQ(size, expected);
+          compressed += number(3 + i);
+        }
       std::vector<Number> result(bytes.size() / sizeof(Number));
       if (!result.empty())
         std::memcpy(result.data(), bytes.data(), bytes.size());
@@ -113,7 +113,7 @@ namespace
       velocity.values.push_back(0.5f * i);
     solution.point_data = {velocity, {"a <\"&> b", 1, {1, 2, 3, 4, 5}}};
     solution.cell_data  = {
-         {"stress [Pa]", 6, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}}};
+       {"stress [Pa]", 6, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}}};
     return solution;
   }
 } // namespace
@@ -153,8 +153,8 @@ TEST(VtuOutput, FieldsReadBack)
 
   EXPECT_EQ(file.array<float>("velocity [m/s]"), solution.point_data[0].values);
   EXPECT_EQ(
-      attribute(file.array_element("velocity [m/s]"), "NumberOfComponents"),
-      "3");
+    attribute(file.array_element("velocity [m/s]"), "NumberOfComponents"),
+    "3");
   EXPECT_EQ(file.array<float>("a &lt;&quot;&amp;&gt; b"),
             solution.point_data[1].values);
 
@@ -181,12 +181,12 @@ TEST(VtuOutput, ManyBlocks)
   const unsigned int n_cells = 65536;
   OutputField        damage{"damage", 1, {}};
   for (unsigned int i = 0; i < n_cells; ++i)
-  {
-    solution.points.push_back({{0.1 * i, 1. / (i + 1), 0}});
-    for (unsigned int a = 0; a < 3; ++a)
-      solution.cells.push_back((7919u * i + a) % n_cells);
-    damage.values.push_back(std::sin(i));
-  }
+    {
+      solution.points.push_back({{0.1 * i, 1. / (i + 1), 0}});
+      for (unsigned int a = 0; a < 3; ++a)
+        solution.cells.push_back((7919u * i + a) % n_cells);
+      damage.values.push_back(std::sin(i));
+    }
   solution.cell_data = {damage};
   write_vtu(directory / "f.vtu", 0, solution);
 
@@ -224,7 +224,7 @@ TEST(VtuOutput, WrongSizes)
 {
   const auto message = [](const Solution &solution) {
     return message_of<std::logic_error>(
-        [&] { write_vtu("/dev/null", 0, solution); });
+      [&] { write_vtu("/dev/null", 0, solution); });
   };
   Solution solution = two_tetrahedra();
   solution.point_data[0].values.pop_back();
@@ -255,7 +255,7 @@ TEST(SolutionSeries, ListsAllStates)
                             "<VTKFile type=\"Collection\" version=\"1.0\">\n"
                             "<Collection>\n";
   const std::string first =
-      "<DataSet timestep=\"0\" part=\"0\" file=\"solid-00000.vtu\"/>\n";
+    "<DataSet timestep=\"0\" part=\"0\" file=\"solid-00000.vtu\"/>\n";
   const std::string end = "</Collection>\n</VTKFile>\n";
   EXPECT_EQ(read_file(directory / "solid.pvd"), start + first + end);
 
@@ -264,9 +264,9 @@ TEST(SolutionSeries, ListsAllStates)
   series.write(2e-5, moved);
   EXPECT_EQ(read_file(directory / "solid.pvd"),
             start + first +
-                "<DataSet timestep=\"2e-05\" part=\"0\" "
-                "file=\"solid-00001.vtu\"/>\n" +
-                end);
+              "<DataSet timestep=\"2e-05\" part=\"0\" "
+              "file=\"solid-00001.vtu\"/>\n" +
+              end);
   EXPECT_EQ(VtuFile(directory / "solid-00000.vtu").array<double>("Points")[0],
             0);
   EXPECT_EQ(VtuFile(directory / "solid-00001.vtu").array<double>("Points")[0],
@@ -291,8 +291,8 @@ TEST(SolutionSeries, FullDiskKeepsWhatThereWas)
     const FileSizeLimit limit(500);
     EXPECT_EQ(message_of<DiskError>([&] { series.write(1, two_tetrahedra()); }),
               "Cannot write " + (directory / "solid-00001.vtu.tmp") +
-                  ": File too large. Raise the limit on the size of a file "
-                  "(ulimit -f), or write to another disk.");
+                ": File too large. Raise the limit on the size of a file "
+                "(ulimit -f), or write to another disk.");
   }
   EXPECT_EQ(read_file(directory / "solid.pvd"), list);
   EXPECT_FALSE(std::filesystem::exists(directory / "solid-00001.vtu"));

@@ -14,8 +14,8 @@ namespace
   const std::string where = "Boundary loaded / Pressure";
 
   const std::string advice =
-      " Write an expression in the time t in seconds, such as "
-      "\"1e6*sin(2*pi*t/1e-3)\", or the name of a .csv table.";
+    " Write an expression in the time t in seconds, such as "
+    "\"1e6*sin(2*pi*t/1e-3)\", or the name of a .csv table.";
 
   std::string
   refusal(const std::string &text)
@@ -27,7 +27,7 @@ namespace
   struct TableFile
   {
     explicit TableFile(const std::string &content)
-        : path(directory / "pulse.csv")
+      : path(directory / "pulse.csv")
     {
       write_file(path, content);
     }
@@ -42,7 +42,7 @@ namespace
   {
     const TableFile   file(content);
     const std::string message =
-        message_of<InputError>([&] { TimeTable(file.path, where, unit); });
+      message_of<InputError>([&] { TimeTable(file.path, where, unit); });
     const std::string start = where + ": table " + file.path + ", ";
     EXPECT_EQ(message.substr(0, start.size()), start);
     return message.substr(std::min(start.size(), message.size()));
@@ -69,54 +69,53 @@ TEST(TimeFunction, UnknownName)
 {
   EXPECT_EQ(refusal("2*foo(t)"),
             where +
-                ": cannot understand \"2*foo(t)\": Unexpected token \"foo\" "
-                "found at position 2." +
-                advice);
+              ": cannot understand \"2*foo(t)\": Unexpected token \"foo\" "
+              "found at position 2." +
+              advice);
 }
 
 TEST(TimeFunction, Unfinished)
 {
   EXPECT_EQ(
-      refusal("2*(t"),
-      where +
-          ": cannot understand \"2*(t\": Missing parenthesis at position 4." +
-          advice);
+    refusal("2*(t"),
+    where + ": cannot understand \"2*(t\": Missing parenthesis at position 4." +
+      advice);
 }
 
 TEST(TimeFunction, NumberWithItsUnit)
 {
   EXPECT_EQ(refusal("1.5 MPa"),
             where +
-                ": cannot understand \"1.5 MPa\": Unexpected token \"MPa\" "
-                "found at position 4." +
-                advice);
+              ": cannot understand \"1.5 MPa\": Unexpected token \"MPa\" "
+              "found at position 4." +
+              advice);
 }
 
 TEST(TimeFunction, MissingArgument)
 {
   EXPECT_EQ(refusal("sin()"),
             where +
-                ": cannot understand \"sin()\": Too few parameters for "
-                "function \"sin\" at expression position 4." +
-                advice);
+              ": cannot understand \"sin()\": Too few parameters for "
+              "function \"sin\" at expression position 4." +
+              advice);
 }
 
 TEST(TimeFunction, Assignment)
 {
   EXPECT_EQ(refusal("t = 3"),
             where +
-                ": cannot understand \"t = 3\": it assigns a value at position "
-                "2; a comparison is ==." +
-                advice);
+              ": cannot understand \"t = 3\": it assigns a value at position "
+              "2; a comparison is ==." +
+              advice);
 }
 
 TEST(TimeFunction, SeveralValues)
 {
   EXPECT_EQ(refusal("1,5*t"),
             where +
-                ": cannot understand \"1,5*t\": it has 2 values, separated by "
-                "commas, instead of one." +
-                advice);
+              ": cannot understand \"1,5*t\": it has 2 values, separated by "
+              "commas, instead of one." +
+              advice);
 }
 
 TEST(TimeFunction, Empty)
@@ -131,12 +130,12 @@ TEST(TimeFunction, NotFinite)
   EXPECT_DOUBLE_EQ(function(1), 2);
   EXPECT_EQ(message_of<RunError>([&] { function(0.5); }),
             where +
-                ": \"1/(t-0.5)\" is inf at t = 0.5 s. Change the expression so "
-                "that it is finite during the whole run.");
+              ": \"1/(t-0.5)\" is inf at t = 0.5 s. Change the expression so "
+              "that it is finite during the whole run.");
   EXPECT_EQ(message_of<RunError>([] { TimeFunction("sqrt(-1-t)", where)(0); }),
             where +
-                ": \"sqrt(-1-t)\" is nan at t = 0 s. Change the expression so "
-                "that it is finite during the whole run.");
+              ": \"sqrt(-1-t)\" is nan at t = 0 s. Change the expression so "
+              "that it is finite during the whole run.");
 }
 
 TEST(TimeFunction, Table)
@@ -173,39 +172,36 @@ TEST(TimeTable, MissingFile)
 {
   const TemporaryDirectory directory;
   EXPECT_EQ(
-      message_of<InputError>(
-          [&] { TimeFunction(directory / "no.CSV", where); }),
-      where + ": cannot read the table " + (directory / "no.CSV") +
-          ": No such file or directory. Check the name; it is relative to "
-          "the folder of the .prm.");
-  EXPECT_EQ(
-      message_of<InputError>([&] { TimeTable(directory.path, where); }),
-      where + ": cannot read the table " + directory.path +
-          ": Is a directory. Check the name; it is relative to the folder "
-          "of the .prm.");
+    message_of<InputError>([&] { TimeFunction(directory / "no.CSV", where); }),
+    where + ": cannot read the table " + (directory / "no.CSV") +
+      ": No such file or directory. Check the name; it is relative to "
+      "the folder of the .prm.");
+  EXPECT_EQ(message_of<InputError>([&] { TimeTable(directory.path, where); }),
+            where + ": cannot read the table " + directory.path +
+              ": Is a directory. Check the name; it is relative to the folder "
+              "of the .prm.");
 }
 
 TEST(TimeTable, NoRows)
 {
   for (const char *content : {"", "time [s],p [Pa]\n", "# nothing\n\n"})
-  {
-    const TableFile file(content);
-    EXPECT_EQ(message_of<InputError>([&] { TimeTable(file.path, where); }),
-              where + ": the table " + file.path +
+    {
+      const TableFile file(content);
+      EXPECT_EQ(message_of<InputError>([&] { TimeTable(file.path, where); }),
+                where + ": the table " + file.path +
                   " has no rows. Give a header and at least one row of time "
                   "and value.");
-  }
+    }
 }
 
 TEST(TimeTable, NoHeader)
 {
   for (const std::string header : {"0,0", "time,pressure", "time [s],[]"})
-    EXPECT_EQ(
-        table_refusal("# c\n" + header + "\n1,1\n"),
-        "line 2: found \"" + header +
-            "\" instead of a header. The first line must name both columns "
-            "with their units in brackets, such as \"time [s],value "
-            "[Pa]\".");
+    EXPECT_EQ(table_refusal("# c\n" + header + "\n1,1\n"),
+              "line 2: found \"" + header +
+                "\" instead of a header. The first line must name both columns "
+                "with their units in brackets, such as \"time [s],value "
+                "[Pa]\".");
 }
 
 TEST(TimeTable, WrongUnits)
@@ -225,11 +221,10 @@ TEST(TimeTable, NotANumber)
             "line 3: column 2 holds \"2 MPa\", which is not a finite number. "
             "Write it like 1.5e-6, with a point and without its unit.");
   for (const std::string text : {"nan", "inf", "-inf", "1e999", "", "1d5"})
-    EXPECT_EQ(
-        table_refusal("t [s],p [Pa]\n" + text + ",0\n"),
-        "line 2: column 1 holds \"" + text +
-            "\", which is not a finite number. Write it like 1.5e-6, with "
-            "a point and without its unit.");
+    EXPECT_EQ(table_refusal("t [s],p [Pa]\n" + text + ",0\n"),
+              "line 2: column 1 holds \"" + text +
+                "\", which is not a finite number. Write it like 1.5e-6, with "
+                "a point and without its unit.");
 }
 
 TEST(TimeTable, NotIncreasing)
