@@ -46,29 +46,23 @@ namespace rift
 
       Names result;
       for (const auto &group : groups)
-      {
-        std::string name;
-        gmsh::model::getPhysicalName(dimension, group.second, name);
-        if (name.empty())
-          throw InputError(fmt::format(
-              "{}: unnamed region: physical {} {} has no name. Give it one in "
-              "gmsh: Physical {}(\"name\", {}) = ...;",
-              source,
-              kinds[dimension],
-              group.second,
-              dimension == 3 ? "Volume" : "Surface",
-              group.second));
-        if (std::count(result.names.begin(), result.names.end(), name) > 0)
-          throw InputError(fmt::format(
-              "{}: two physical {}s have the name '{}'. Put them into one "
-              "physical group or rename one.",
-              source,
-              kinds[dimension],
-              name));
-        result.index_of_tag[group.second] =
+        {
+          std::string name;
+          gmsh::model::getPhysicalName(dimension, group.second, name);
+          if (name.empty())
+            throw InputError(
+              fmt::format("{}: unnamed region: physical {} {} has no name of "
+                          "its own. Give it one in "
+                          "gmsh: Physical {}(\"name\", {}) = ...;",
+                          source,
+                          kinds[dimension],
+                          group.second,
+                          dimension == 3 ? "Volume" : "Surface",
+                          group.second));
+          result.index_of_tag[group.second] =
             static_cast<std::uint16_t>(result.names.size());
-        result.names.push_back(name);
-      }
+          result.names.push_back(name);
+        }
       return result;
     }
 
@@ -81,14 +75,14 @@ namespace rift
       std::vector<int> groups;
       gmsh::model::getPhysicalGroupsForEntity(dimension, entity, groups);
       if (groups.size() > 1)
-        throw InputError(fmt::format(
-            "{}: {} {} belongs to the physical groups {} and {}, but "
-            "only one name can be given. Remove it from the others.",
-            source,
-            kinds[dimension],
-            entity,
-            std::abs(groups[0]),
-            std::abs(groups[1])));
+        throw InputError(
+          fmt::format("{}: {} {} belongs to the physical groups {} and {}, but "
+                      "only one name can be given. Remove it from the others.",
+                      source,
+                      kinds[dimension],
+                      entity,
+                      std::abs(groups[0]),
+                      std::abs(groups[1])));
       // The sign only tells an orientation.
       return groups.empty() ? -1 : std::abs(groups[0]);
     }
@@ -102,17 +96,20 @@ namespace rift
 
       std::vector<Elements> result;
       for (const auto &entity : entities)
-      {
-        std::vector<int>  types;
-        std::vector<Tags> tags, nodes;
-        gmsh::model::mesh::getElements(
-            types, tags, nodes, dimension, entity.second);
-        for (std::size_t i = 0; i < types.size(); ++i)
-          result.push_back({entity.second,
-                            types[i],
-                            std::move(tags[i]),
-                            std::move(nodes[i])});
-      }
+        {
+          std::vector<int>  types;
+          std::vector<Tags> tags, nodes;
+          gmsh::model::mesh::getElements(types,
+                                         tags,
+                                         nodes,
+                                         dimension,
+                                         entity.second);
+          for (std::size_t i = 0; i < types.size(); ++i)
+            result.push_back({entity.second,
+                              types[i],
+                              std::move(tags[i]),
+                              std::move(nodes[i])});
+        }
       return result;
     }
 
@@ -134,18 +131,18 @@ namespace rift
                                               coordinates,
                                               n_primary_nodes);
       throw InputError(fmt::format(
-          "{}: element {} of {} {} is of type '{}' (order {}, {} nodes), but "
-          "rift computes with {} of first order. {}",
-          source,
-          elements.tags.front(),
-          kinds[dimension],
-          elements.entity,
-          name,
-          order,
-          n_nodes,
-          dimension == 3 ? "4-node tetrahedra" : "3-node triangles",
-          order > 1 ? "Set Mesh.ElementOrder = 1."
-                    : "Remove Recombine, Layers and the like from the mesh."));
+        "{}: element {} of {} {} is of type '{}' (order {}, {} nodes), but "
+        "rift computes with {} of first order. {}",
+        source,
+        elements.tags.front(),
+        kinds[dimension],
+        elements.entity,
+        name,
+        order,
+        n_nodes,
+        dimension == 3 ? "4-node tetrahedra" : "3-node triangles",
+        order > 1 ? "Set Mesh.ElementOrder = 1." :
+                    "Remove Recombine, Layers and the like from the mesh."));
     }
 
     // The nodes of the cells become vertices, in ascending order of tags.
@@ -184,37 +181,42 @@ namespace rift
       std::vector<Vector3<double>> vertices(numbering.tags.size());
       std::vector<bool>            found(vertices.size(), false);
       for (int dimension = 0; dimension <= 3; ++dimension)
-      {
-        Tags                tags;
-        std::vector<double> x, parametric;
-        gmsh::model::mesh::getNodes(
-            tags, x, parametric, dimension, -1, false, false);
-        for (std::size_t i = 0; i < tags.size(); ++i)
         {
-          const VertexIndex v = numbering[tags[i]];
-          if (v != invalid_index)
-          {
-            vertices[v] = {{x[3 * i], x[3 * i + 1], x[3 * i + 2]}};
-            found[v]    = true;
-          }
-          else if (dimension == 3)
-            throw InputError(fmt::format(
-                "{}: orphan node {} at ({:g}, {:g}, {:g}) lies in a volume, "
-                "but no cell uses it. Remove it, or mesh again.",
-                source,
-                tags[i],
-                x[3 * i],
-                x[3 * i + 1],
-                x[3 * i + 2]));
+          Tags                tags;
+          std::vector<double> x, parametric;
+          gmsh::model::mesh::getNodes(tags,
+                                      x,
+                                      parametric,
+                                      dimension,
+                                      -1,
+                                      false,
+                                      false);
+          for (std::size_t i = 0; i < tags.size(); ++i)
+            {
+              const VertexIndex v = numbering[tags[i]];
+              if (v != invalid_index)
+                {
+                  vertices[v] = {{x[3 * i], x[3 * i + 1], x[3 * i + 2]}};
+                  found[v]    = true;
+                }
+              else if (dimension == 3)
+                throw InputError(fmt::format(
+                  "{}: orphan node {} at ({:g}, {:g}, {:g}) lies in a volume, "
+                  "but no cell uses it. Remove it, or mesh again.",
+                  source,
+                  tags[i],
+                  x[3 * i],
+                  x[3 * i + 1],
+                  x[3 * i + 2]));
+            }
         }
-      }
       const auto missing = std::find(found.begin(), found.end(), false);
       if (missing != found.end())
-        throw InputError(fmt::format(
-            "{}: node {} has no coordinates, but a cell uses it. The "
-            "file is damaged: write it again.",
-            source,
-            numbering.tags[missing - found.begin()]));
+        throw InputError(
+          fmt::format("{}: node {} has no coordinates, but a cell uses it. The "
+                      "file is damaged: write it again.",
+                      source,
+                      numbering.tags[missing - found.begin()]));
       return vertices;
     }
 
@@ -237,10 +239,10 @@ namespace rift
       const Names materials = read_names(3, mesh.source);
       mesh.material_names   = materials.names;
       for (const auto &elements : volumes)
-      {
-        const int group = physical_group(3, elements.entity, mesh.source);
-        if (group < 0)
-          throw InputError(fmt::format(
+        {
+          const int group = physical_group(3, elements.entity, mesh.source);
+          if (group < 0)
+            throw InputError(fmt::format(
               "{}: unnamed region: volume {} (cell {}) belongs to no physical "
               "volume, so it has no material. Give it one in gmsh: Physical "
               "Volume(\"name\") = {{{}}};",
@@ -248,17 +250,17 @@ namespace rift
               elements.entity,
               elements.tags.front(),
               elements.entity));
-        for (std::size_t c = 0; c < elements.tags.size(); ++c)
-        {
-          std::array<VertexIndex, n_corners> cell;
-          for (unsigned int i = 0; i < n_corners; ++i)
-            cell[i] = numbering[elements.nodes[n_corners * c + i]];
-          orient(cell, mesh.vertices);
-          mesh.cells.push_back(cell);
-          mesh.cell_tags.push_back(elements.tags[c]);
-          mesh.cell_materials.push_back(materials.index_of_tag.at(group));
+          for (std::size_t c = 0; c < elements.tags.size(); ++c)
+            {
+              std::array<VertexIndex, n_corners> cell;
+              for (unsigned int i = 0; i < n_corners; ++i)
+                cell[i] = numbering[elements.nodes[n_corners * c + i]];
+              orient(cell, mesh.vertices);
+              mesh.cells.push_back(cell);
+              mesh.cell_tags.push_back(elements.tags[c]);
+              mesh.cell_materials.push_back(materials.index_of_tag.at(group));
+            }
         }
-      }
     }
 
     void
@@ -270,23 +272,23 @@ namespace rift
              const std::uint16_t               name)
     {
       const FaceTable::Range sides = faces.find(
-          {{numbering[nodes[0]], numbering[nodes[1]], numbering[nodes[2]]}});
+        {{numbering[nodes[0]], numbering[nodes[1]], numbering[nodes[2]]}});
       if (sides.size() == 0)
         throw InputError(fmt::format(
-            "{}: triangle {} of the surface '{}' (nodes {}, {}, {}) is no face "
-            "of "
-            "any cell. Make the surface part of the volumes (BooleanFragments, "
-            "Coherence or Surface{{...}} In Volume{{...}}) or take its name "
-            "away.",
-            mesh.source,
-            tag,
-            mesh.surface_names[name],
-            nodes[0],
-            nodes[1],
-            nodes[2]));
+          "{}: triangle {} of the surface '{}' (nodes {}, {}, {}) is no face "
+          "of "
+          "any cell. Make the surface part of the volumes (BooleanFragments, "
+          "Coherence or Surface{{...}} In Volume{{...}}) or take its name "
+          "away.",
+          mesh.source,
+          tag,
+          mesh.surface_names[name],
+          nodes[0],
+          nodes[1],
+          nodes[2]));
       const NamedFace face = {sides.first->cell, sides.first->local_face, name};
       (sides.size() == 1 ? mesh.boundary_faces : mesh.internal_faces)
-          .push_back(face);
+        .push_back(face);
     }
 
     // Sorts by cell and face and lets each face have one name only.
@@ -300,21 +302,21 @@ namespace rift
         return key(a) < key(b);
       });
       faces.erase(
-          std::unique(faces.begin(),
-                      faces.end(),
-                      [&](auto &a, auto &b) { return key(a) == key(b); }),
-          faces.end());
+        std::unique(faces.begin(),
+                    faces.end(),
+                    [&](auto &a, auto &b) { return key(a) == key(b); }),
+        faces.end());
       for (std::size_t i = 1; i < faces.size(); ++i)
         if (faces[i].cell == faces[i - 1].cell &&
             faces[i].local_face == faces[i - 1].local_face)
           throw InputError(
-              fmt::format("{}: face {} of cell {} belongs to the surfaces '{}' "
-                          "and '{}', but only one name can be given.",
-                          mesh.source,
-                          faces[i].local_face,
-                          mesh.cell_tags[faces[i].cell],
-                          mesh.surface_names[faces[i - 1].name],
-                          mesh.surface_names[faces[i].name]));
+            fmt::format("{}: face {} of cell {} belongs to the surfaces '{}' "
+                        "and '{}', but only one name can be given.",
+                        mesh.source,
+                        faces[i].local_face,
+                        mesh.cell_tags[faces[i].cell],
+                        mesh.surface_names[faces[i - 1].name],
+                        mesh.surface_names[faces[i].name]));
     }
 
     void
@@ -327,21 +329,21 @@ namespace rift
 
       const FaceTable faces(mesh);
       for (const auto &elements : read_elements(2))
-      {
-        const int group = physical_group(2, elements.entity, mesh.source);
-        if (group < 0)
-          continue;
-        check_type(elements, triangle, mesh.source);
-        for (std::size_t t = 0; t < elements.tags.size(); ++t)
-          add_face(mesh,
-                   faces,
-                   {{elements.nodes[3 * t],
-                     elements.nodes[3 * t + 1],
-                     elements.nodes[3 * t + 2]}},
-                   numbering,
-                   elements.tags[t],
-                   surfaces.index_of_tag.at(group));
-      }
+        {
+          const int group = physical_group(2, elements.entity, mesh.source);
+          if (group < 0)
+            continue;
+          check_type(elements, triangle, mesh.source);
+          for (std::size_t t = 0; t < elements.tags.size(); ++t)
+            add_face(mesh,
+                     faces,
+                     {{elements.nodes[3 * t],
+                       elements.nodes[3 * t + 1],
+                       elements.nodes[3 * t + 2]}},
+                     numbering,
+                     elements.tags[t],
+                     surfaces.index_of_tag.at(group));
+        }
       tidy_up(mesh.boundary_faces, mesh);
       tidy_up(mesh.internal_faces, mesh);
     }
@@ -353,9 +355,9 @@ namespace rift
     const std::vector<Elements> volumes = read_elements(3);
     if (volumes.empty())
       throw InputError(
-          fmt::format("{}: there are no cells. Define a volume, and write the "
-                      "3-D mesh, not the 2-D one.",
-                      source));
+        fmt::format("{}: there are no cells. Define a volume, and write the "
+                    "3-D mesh, not the 2-D one.",
+                    source));
     for (const auto &elements : volumes)
       check_type(elements, tetrahedron, source);
 

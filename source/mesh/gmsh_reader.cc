@@ -35,33 +35,33 @@ namespace rift
       const auto work = [&]() {
         const GmshSession session(numbers);
         try
-        {
-          make_model();
-          return pack_mesh(extract_mesh(source));
-        }
+          {
+            make_model();
+            return pack_mesh(extract_mesh(source));
+          }
         catch (const std::string &message)
-        {
-          // That is what gmsh throws.
-          throw InputError(fmt::format("{}: gmsh says: {}", source, message));
-        }
+          {
+            // That is what gmsh throws.
+            throw InputError(fmt::format("{}: gmsh says: {}", source, message));
+          }
       };
 
       try
-      {
-        return unpack_mesh(run_in_child_process(work));
-      }
+        {
+          return unpack_mesh(run_in_child_process(work));
+        }
       catch (const ChildProcessError &error)
-      {
-        if (error.signal == SIGINT || error.signal == SIGTERM)
-          throw Error(ExitCode::stopped_by_signal,
-                      "Stopped by a signal while gmsh was at work.");
-        throw InputError(
+        {
+          if (error.signal == SIGINT || error.signal == SIGTERM)
+            throw Error(ExitCode::stopped_by_signal,
+                        "Stopped by a signal while gmsh was at work.");
+          throw InputError(
             fmt::format("{}: gmsh {} while it was at work on it. The file may "
                         "be damaged or ask for a mesh that is too large; see "
                         "what gmsh itself makes of it.",
                         source,
                         error.what()));
-      }
+        }
     }
 
     void
@@ -95,20 +95,20 @@ namespace rift
       const auto &size = parameters.box_size;
       return run_gmsh("built-in box", {}, [&]() {
         const int box =
-            gmsh::model::occ::addBox(0, 0, 0, size[0], size[1], size[2]);
+          gmsh::model::occ::addBox(0, 0, 0, size[0], size[1], size[2]);
         gmsh::model::occ::synchronize();
         gmsh::vectorpair surfaces;
         gmsh::model::getEntities(surfaces, 2);
         for (unsigned int d = 0; d < dim; ++d)
           for (const bool upper : {false, true})
             for (const auto &surface : surfaces)
-            {
-              const double x = centre_of_surface(surface.second)[d] / size[d];
-              if (std::abs(x - upper) < 0.25)
-                name_surface(
+              {
+                const double x = centre_of_surface(surface.second)[d] / size[d];
+                if (std::abs(x - upper) < 0.25)
+                  name_surface(
                     surface.second,
                     fmt::format("{}_{}", "xyz"[d], upper ? "max" : "min"));
-            }
+              }
         mesh_built_in_shape(parameters, box);
       });
     }
@@ -120,19 +120,20 @@ namespace rift
       const double length = parameters.cylinder_length;
       return run_gmsh("built-in cylinder", {}, [&]() {
         const int cylinder =
-            gmsh::model::occ::addCylinder(0, 0, 0, length, 0, 0, radius);
+          gmsh::model::occ::addCylinder(0, 0, 0, length, 0, 0, radius);
         gmsh::model::occ::synchronize();
         gmsh::vectorpair surfaces;
         gmsh::model::getEntities(surfaces, 2);
-        const std::pair<const char *, double> names[] = {
-            {"start", 0}, {"end", 1}, {"side", 0.5}};
+        const std::pair<const char *, double> names[] = {{"start", 0},
+                                                         {"end", 1},
+                                                         {"side", 0.5}};
         for (const auto &name : names)
           for (const auto &surface : surfaces)
-          {
-            const double x = centre_of_surface(surface.second)[0] / length;
-            if (std::abs(x - name.second) < 0.25)
-              name_surface(surface.second, name.first);
-          }
+            {
+              const double x = centre_of_surface(surface.second)[0] / length;
+              if (std::abs(x - name.second) < 0.25)
+                name_surface(surface.second, name.first);
+            }
         mesh_built_in_shape(parameters, cylinder);
       });
     }
@@ -150,16 +151,16 @@ namespace rift
 
       std::vector<std::string> names;
       for (const auto &number : numbers)
-      {
-        if (!std::isfinite(number.second))
-          throw InputError(
+        {
+          if (!std::isfinite(number.second))
+            throw InputError(
               fmt::format("The parameter '{}' of the gmsh script '{}' is {}. "
                           "Give it a finite number.",
                           number.first,
                           parameters.file,
                           number.second));
-        names.push_back(number.first);
-      }
+          names.push_back(number.first);
+        }
       check_geo_parameters(parameters.file, names);
 
       return run_gmsh(parameters.file, numbers, [&]() {
@@ -181,8 +182,9 @@ namespace rift
                          "by name have no effect on a .msh. Remove them, or "
                          "use a .geo.");
       check_msh_file(parameters.file);
-      return run_gmsh(
-          parameters.file, {}, [&]() { gmsh::open(parameters.file); });
+      return run_gmsh(parameters.file, {}, [&]() {
+        gmsh::open(parameters.file);
+      });
     }
   } // namespace
 
@@ -191,15 +193,15 @@ namespace rift
   {
     parameters.check();
     switch (parameters.shape)
-    {
-    case MeshParameters::Shape::box:
-      return make_box(parameters);
-    case MeshParameters::Shape::cylinder:
-      return make_cylinder(parameters);
-    case MeshParameters::Shape::file:
-      break;
-    }
-    return ends_with(parameters.file, ".geo") ? mesh_script(parameters)
-                                              : read_mesh_file(parameters);
+      {
+      case MeshParameters::Shape::box:
+        return make_box(parameters);
+      case MeshParameters::Shape::cylinder:
+        return make_cylinder(parameters);
+      case MeshParameters::Shape::file:
+        break;
+      }
+    return ends_with(parameters.file, ".geo") ? mesh_script(parameters) :
+                                                read_mesh_file(parameters);
   }
 } // namespace rift
