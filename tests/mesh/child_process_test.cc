@@ -71,6 +71,11 @@ TEST(ChildProcess, Errors)
               return std::string(std::size_t(1) << 50, 'x');
             }),
             "ran out of memory");
+  const auto need_100_MB = []() { return std::string(100000000, 'x'); };
+  EXPECT_EQ(run_in_child_process(need_100_MB).size(), 100000000u);
+  EXPECT_EQ(message_of<ChildProcessError>(
+              [&]() { run_in_child_process(need_100_MB, 90000000); }),
+            "ran out of memory");
 }
 
 TEST(MeshBuffer, EverythingIsPacked)

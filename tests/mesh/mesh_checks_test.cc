@@ -96,10 +96,10 @@ TEST(CheckMesh, Volumes)
   mesh.vertices[4][0] = -1;
   EXPECT_NE(check(mesh).find("cell 12 at (0, 0.25, 0) has the volume 0 m3"),
             std::string::npos);
-  // Just below and just above the limit: edge 2, volume z/3.
-  mesh.vertices[4][2] = -2e-11;
+  // Just below and just above the limit: longest edge 2, volume z / 6.
+  mesh.vertices[4][2] = -4.7e-11;
   EXPECT_NE(check(mesh).find("cell 12 at"), std::string::npos);
-  mesh.vertices[4][2] = -2.5e-11;
+  mesh.vertices[4][2] = -4.9e-11;
   EXPECT_EQ(check(mesh), "(nothing was thrown)");
 }
 

@@ -65,7 +65,8 @@ namespace
   {
     std::set<std::array<std::size_t, 3>> result;
     for (const auto &face : faces)
-      result.insert({{mesh.cell_tags[face.cell], face.local_face, face.name}});
+      result.insert(std::array<std::size_t, 3>{
+        {mesh.cell_tags[face.cell], face.local_face, face.name}});
     return result;
   }
 

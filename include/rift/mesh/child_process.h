@@ -1,7 +1,9 @@
 #ifndef rift_mesh_child_process_h
 #define rift_mesh_child_process_h
 
+#include <cstddef>
 #include <functional>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -13,8 +15,8 @@ namespace rift
   public:
     /** `signal` is the one that killed the child, 0 if none did. */
     ChildProcessError(const std::string &message, const int signal)
-        : std::runtime_error(message)
-        , signal(signal)
+      : std::runtime_error(message)
+      , signal(signal)
     {
     }
 
@@ -34,12 +36,14 @@ namespace rift
    * child ...".
    * @throws RunError when no process can be made.
    *
-   * `work` must not use MPI. The child may take as much memory as the machine
-   * has, not more, so that a nonsensical request fails at once instead of
-   * bringing the machine down.
+   * `work` must not use MPI. The child may take `memory_limit` bytes beyond
+   * those of this process, and never more than the machine has, so that a
+   * nonsensical request fails at once instead of bringing the machine down.
    */
   std::string
-  run_in_child_process(const std::function<std::string()> &work);
+  run_in_child_process(
+    const std::function<std::string()> &work,
+    const std::size_t memory_limit = std::numeric_limits<std::size_t>::max());
 } // namespace rift
 
 #endif
