@@ -25,22 +25,22 @@ namespace rift
     purpose(const std::string &section)
     {
       const std::map<std::string, std::string> texts = {
-          {"Mesh", "The body and its tetrahedra."},
-          {"Material",
-           "A material, one subsection for each physical volume of the mesh, "
-           "whose name it has."},
-          {"Boundary",
-           "What acts on a physical surface of the mesh, whose name it has. A "
-           "function of time is an expression in t, or the path of a table "
-           "that ends with .csv, relative to the .prm. A surface without "
-           "subsection is free."},
-          {"Body", "What acts on every point of the body."},
-          {"Fracture", "How cracks are computed."},
-          {"Time", "The time steps."},
-          {"Output", "What is written, and where."},
-          {"Probe",
-           "A column of probes.csv, whose name it has: a field at a point or "
-           "averaged over a boundary."}};
+        {"Mesh", "The body and its tetrahedra."},
+        {"Material",
+         "A material, one subsection for each physical volume of the mesh, "
+         "whose name it has."},
+        {"Boundary",
+         "What acts on a physical surface of the mesh, whose name it has. A "
+         "function of time is an expression in t, or the path of a table "
+         "that ends with .csv, relative to the .prm. A surface without "
+         "subsection is free."},
+        {"Body", "What acts on every point of the body."},
+        {"Fracture", "How cracks are computed."},
+        {"Time", "The time steps."},
+        {"Output", "What is written, and where."},
+        {"Probe",
+         "A column of probes.csv, whose name it has: a field at a point or "
+         "averaged over a boundary."}};
       return texts.at(section.substr(0, section.find(' ')));
     }
 
@@ -50,19 +50,19 @@ namespace rift
     example_value(const ParameterDeclaration &entry)
     {
       const std::map<std::string, std::string> values = {
-          {"/Title", "A bar of granite struck at one end"},
-          {"Mesh/Shape", "box"},
-          {"Mesh/Element size", "5e-3"},
-          {"Mesh/Box size", "0.1, 0.02, 0.02"},
-          {"Material rock/Density", "2641"},
-          {"Material rock/Young's modulus", "40.6e9"},
-          {"Material rock/Poisson's ratio", "0.2"},
-          {"Boundary x_min/Pressure",
-           "if(t < 10e-6, 1e6 * sin(pi * t / 10e-6), 0)"},
-          {"Time/End time", "50e-6"},
-          {"Output/Solution interval", "5e-6"},
-          {"Probe end/Field", "velocity x"},
-          {"Probe end/Boundary", "x_max"}};
+        {"/Title", "A bar of granite struck at one end"},
+        {"Mesh/Shape", "box"},
+        {"Mesh/Element size", "5e-3"},
+        {"Mesh/Box size", "0.1, 0.02, 0.02"},
+        {"Material rock/Density", "2641"},
+        {"Material rock/Young's modulus", "40.6e9"},
+        {"Material rock/Poisson's ratio", "0.2"},
+        {"Boundary x_min/Pressure",
+         "if(t < 10e-6, 1e6 * sin(pi * t / 10e-6), 0)"},
+        {"Time/End time", "50e-6"},
+        {"Output/Solution interval", "5e-6"},
+        {"Probe end/Field", "velocity x"},
+        {"Probe end/Boundary", "x_max"}};
       const auto value = values.find(entry.section + "/" + entry.name);
       return value == values.end() ? "" : value->second;
     }
@@ -76,14 +76,15 @@ namespace rift
       std::istringstream words(text);
       std::string        line, word;
       while (words >> word)
-      {
-        if (!line.empty() && indent.size() + line.size() + word.size() + 3 > 78)
         {
-          out << indent << "# " << line << '\n';
-          line.clear();
+          if (!line.empty() &&
+              indent.size() + line.size() + word.size() + 3 > 78)
+            {
+              out << indent << "# " << line << '\n';
+              line.clear();
+            }
+          line += (line.empty() ? "" : " ") + word;
         }
-        line += (line.empty() ? "" : " ") + word;
-      }
       out << indent << "# " << line << '\n';
     }
 
@@ -119,26 +120,28 @@ namespace rift
     std::string section;
     for (const ParameterDeclaration &entry :
          declarations_of({{"rock"}, {"x_min"}, {"end"}}))
-    {
-      if (entry.section != section)
       {
-        out << (section.empty() ? "" : "end\n") << '\n';
-        print_comment(out, "", purpose(entry.section));
-        out << "subsection " << entry.section << '\n';
-        section = entry.section;
-      }
-      else
-        out << '\n';
-      const std::string indent = section.empty() ? "" : "  ";
-      const std::string unit =
+        if (entry.section != section)
+          {
+            out << (section.empty() ? "" : "end\n") << '\n';
+            print_comment(out, "", purpose(entry.section));
+            out << "subsection " << entry.section << '\n';
+            section = entry.section;
+          }
+        else
+          out << '\n';
+        const std::string indent = section.empty() ? "" : "  ";
+        const std::string unit =
           entry.unit.empty() ? "" : " Unit: " + entry.unit + ".";
-      const std::string choices =
+        const std::string choices =
           entry.choices.empty() ? "" : " Choices: " + entry.expected + ".";
-      print_comment(out, indent, entry.documentation + unit + choices);
-      const std::string value = example_value(entry);
-      out << indent << (value.empty() ? "# " : "") << "set " << entry.name
-          << " = " << (value.empty() ? entry.default_value : value) << '\n';
-    }
+        print_comment(out, indent, entry.documentation + unit + choices);
+        const std::string example = example_value(entry);
+        const std::string value =
+          example.empty() ? entry.default_value : example;
+        out << indent << (example.empty() ? "# " : "") << "set " << entry.name
+            << (value.empty() ? " =" : " = ") << value << '\n';
+      }
     out << "end\n";
   }
 
@@ -160,22 +163,22 @@ namespace rift
     std::string section = "none yet";
     for (const ParameterDeclaration &entry :
          declarations_of({{"NAME"}, {"NAME"}, {"NAME"}}))
-    {
-      if (entry.section != section)
       {
-        section = entry.section;
-        if (!section.empty())
-          out << "\n## " << heading(section) << "\n\n"
-              << purpose(section) << '\n';
-        out << "\n| Entry | Default | Unit | Value | Meaning |\n"
-               "|---|---|---|---|---|\n";
+        if (entry.section != section)
+          {
+            section = entry.section;
+            if (!section.empty())
+              out << "\n## " << heading(section) << "\n\n"
+                  << purpose(section) << '\n';
+            out << "\n| Entry | Default | Unit | Value | Meaning |\n"
+                   "|---|---|---|---|---|\n";
+          }
+        out << "| " << entry.name << " | "
+            << (entry.default_value.empty() ?
+                  "" :
+                  "`" + cell(entry.default_value) + "`")
+            << " | " << entry.unit << " | " << cell(entry.expected) << " | "
+            << cell(entry.documentation) << " |\n";
       }
-      out << "| " << entry.name << " | "
-          << (entry.default_value.empty()
-                  ? ""
-                  : "`" + cell(entry.default_value) + "`")
-          << " | " << entry.unit << " | " << cell(entry.expected) << " | "
-          << cell(entry.documentation) << " |\n";
-    }
   }
 } // namespace rift

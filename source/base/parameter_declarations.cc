@@ -26,7 +26,7 @@ namespace rift
       if (pattern.compare(0, start.size(), start) != 0)
         return {};
       std::istringstream words(
-          pattern.substr(start.size(), pattern.size() - start.size() - 1));
+        pattern.substr(start.size(), pattern.size() - start.size() - 1));
       std::vector<std::string> result;
       for (std::string word; std::getline(words, word, '|');)
         result.push_back(simplified(word));
@@ -45,11 +45,11 @@ namespace rift
       if (starts_with("[Integer"))
         return "a whole number from 0 to 2147483647";
       if (starts_with("[List"))
-      {
-        const std::size_t length = pattern.rfind("of length ") + 10;
-        return pattern.substr(length, pattern.find("...", length) - length) +
-               " numbers with commas between them";
-      }
+        {
+          const std::size_t length = pattern.rfind("of length ") + 10;
+          return pattern.substr(length, pattern.find("...", length) - length) +
+                 " numbers with commas between them";
+        }
       const std::vector<std::string> choices = choices_of(pattern);
       return choices.empty() ? "text" : enumeration(choices);
     }
@@ -70,7 +70,7 @@ namespace rift
       result.documentation            = documentation.substr(0, unit);
       if (unit != std::string::npos)
         result.unit =
-            documentation.substr(unit + 8, documentation.size() - unit - 9);
+          documentation.substr(unit + 8, documentation.size() - unit - 9);
       result.expected = in_words(pattern);
       result.choices  = choices_of(pattern);
       return result;
@@ -114,10 +114,10 @@ namespace rift
       std::vector<std::string> full, known = {};
       for (const ParameterDeclaration &entry : declared)
         if (!entry.section.empty())
-        {
-          add_once(full, entry.section);
-          add_once(known, generic(entry.section, kinds));
-        }
+          {
+            add_once(full, entry.section);
+            add_once(known, generic(entry.section, kinds));
+          }
       for (const std::string &kind : kinds)
         add_once(known, kind + " NAME");
       const std::string nearest = nearest_name(section, full);
@@ -126,10 +126,22 @@ namespace rift
       const std::string start   = "unknown subsection \"" + section + "\".";
       if (!nearest.empty())
         return start + " Did you mean \"" + nearest + "\"?";
-      if (!kind.empty() && first != section && kind != first)
+      if (kind == first)
+        {
+          // Only the command line can name what is not in the scene.
+          std::vector<std::string> same_kind;
+          for (const std::string &other : full)
+            if (generic(other, kinds) == generic(section, kinds))
+              same_kind.push_back("\"" + other + "\"");
+          return start + " The scene has " +
+                 (same_kind.empty() ? "no " + kind + " at all" :
+                                      enumeration(same_kind, "and")) +
+                 ".";
+        }
+      if (!kind.empty() && first != section)
         return start + " Did you mean \"" + kind +
                section.substr(first.size()) + "\"?";
-      return start + " Known are " + enumeration(known) + ".";
+      return start + " Known are " + enumeration(known, "and") + ".";
     }
 
     // The end of a message about an entry that does not exist.
@@ -144,13 +156,13 @@ namespace rift
           here.push_back(other.name);
         else if (other.name == entry.name)
           add_once(elsewhere,
-                   other.section.empty()
-                       ? "the top level"
-                       : "subsection " + generic(other.section, kinds));
+                   other.section.empty() ?
+                     "the top level" :
+                     "subsection " + generic(other.section, kinds));
       const std::string unknown = "unknown parameter \"" + entry.name + "\".";
-      return elsewhere.empty()
-                 ? unknown + suggestion(entry.name, here)
-                 : unknown + " It belongs in " + enumeration(elsewhere) + ".";
+      return elsewhere.empty() ?
+               unknown + suggestion(entry.name, here) :
+               unknown + " It belongs in " + enumeration(elsewhere) + ".";
     }
 
     void
@@ -161,16 +173,17 @@ namespace rift
       if (!entry.section.empty())
         prm.enter_subsection(entry.section);
       try
-      {
-        prm.set(entry.name, entry.value);
-      }
+        {
+          prm.set(entry.name, entry.value);
+        }
       catch (const ParameterHandler::ExcValueDoesNotMatchPattern &)
-      {
-        const std::string nearest = nearest_name(entry.value, declared.choices);
-        throw InputError(
-            place_of(entry) + ": " + declared.expected + " is expected." +
+        {
+          const std::string nearest =
+            nearest_name(entry.value, declared.choices);
+          throw InputError(
+            place_of(entry) + ": this should be " + declared.expected + "." +
             (nearest.empty() ? "" : " Did you mean \"" + nearest + "\"?"));
-      }
+        }
       if (!entry.section.empty())
         prm.leave_subsection();
     }
@@ -181,8 +194,9 @@ namespace rift
   {
     // Printing is the only access to the declarations that deal.II offers.
     std::ostringstream text;
-    prm.print_parameters(
-        text, ParameterHandler::JSON | ParameterHandler::KeepDeclarationOrder);
+    prm.print_parameters(text,
+                         ParameterHandler::JSON |
+                           ParameterHandler::KeepDeclarationOrder);
     const auto tree = nlohmann::ordered_json::parse(text.str());
     std::vector<ParameterDeclaration> result;
     for (const auto &[name, node] : tree.items())
@@ -211,26 +225,26 @@ namespace rift
         throw InputError(section.file + ":" + std::to_string(section.line) +
                          ": " + about_section(section.path, kinds, declared));
     for (const ParameterEntry &entry : file.entries())
-    {
-      if (!has_section(entry.section))
-        throw InputError(place_of(entry) + ": " +
-                         about_section(entry.section, kinds, declared));
-      const auto match =
+      {
+        if (!has_section(entry.section))
+          throw InputError(place_of(entry) + ": " +
+                           about_section(entry.section, kinds, declared));
+        const auto match =
           std::find_if(declared.begin(), declared.end(), [&](const auto &d) {
             return d.section == entry.section && d.name == entry.name;
           });
-      if (match == declared.end())
-        throw InputError(place_of(entry) + ": " +
-                         about_name(entry, kinds, declared));
-      set(entry, *match, prm);
-    }
+        if (match == declared.end())
+          throw InputError(place_of(entry) + ": " +
+                           about_name(entry, kinds, declared));
+        set(entry, *match, prm);
+      }
   }
 
   std::vector<double>
   get_numbers(const ParameterHandler &prm, const std::string &name)
   {
     return dealii::Utilities::string_to_double(
-        dealii::Utilities::split_string_list(prm.get(name)));
+      dealii::Utilities::split_string_list(prm.get(name)));
   }
 
   std::array<double, 3>
@@ -248,8 +262,8 @@ namespace rift
   {
     prm.declare_entry(name,
                       to_text(default_value[0]) + ", " +
-                          to_text(default_value[1]) + ", " +
-                          to_text(default_value[2]),
+                        to_text(default_value[1]) + ", " +
+                        to_text(default_value[2]),
                       Patterns::List(Patterns::Double(), 3, 3),
                       documentation);
   }
@@ -260,7 +274,9 @@ namespace rift
                  const double       default_value,
                  const std::string &documentation)
   {
-    prm.declare_entry(
-        name, to_text(default_value), Patterns::Double(), documentation);
+    prm.declare_entry(name,
+                      to_text(default_value),
+                      Patterns::Double(),
+                      documentation);
   }
 } // namespace rift

@@ -25,17 +25,17 @@ namespace rift
       std::vector<std::size_t> row(b.size() + 1);
       std::iota(row.begin(), row.end(), 0);
       for (std::size_t i = 1; i <= a.size(); ++i)
-      {
-        std::size_t diagonal = row[0];
-        row[0]               = i;
-        for (std::size_t j = 1; j <= b.size(); ++j)
         {
-          const std::size_t replaced =
-              diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-          diagonal = row[j];
-          row[j]   = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+          std::size_t diagonal = row[0];
+          row[0]               = i;
+          for (std::size_t j = 1; j <= b.size(); ++j)
+            {
+              const std::size_t replaced =
+                diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+              diagonal = row[j];
+              row[j]   = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+            }
         }
-      }
       return row.back();
     }
   } // namespace
@@ -74,16 +74,17 @@ namespace rift
   {
     return text.size() >= ending.size() &&
            text.compare(text.size() - ending.size(), ending.size(), ending) ==
-               0;
+             0;
   }
 
   std::string
-  enumeration(const std::vector<std::string> &words)
+  enumeration(const std::vector<std::string> &words, const std::string &last)
   {
     std::string result;
     for (std::size_t i = 0; i < words.size(); ++i)
       result +=
-          (i == 0 ? "" : (i + 1 == words.size() ? " or " : ", ")) + words[i];
+        (i == 0 ? "" : (i + 1 == words.size() ? " " + last + " " : ", ")) +
+        words[i];
     return result;
   }
 
@@ -95,21 +96,21 @@ namespace rift
     std::string       nearest;
     std::size_t       smallest = std::string::npos;
     for (const std::string &candidate : candidates)
-    {
-      const std::string known = lower_case(candidate);
-      // An abbreviation is near however much has been left out.
-      const bool part =
-          wanted.size() >= 3 && known.find(wanted) != std::string::npos;
-      const std::size_t distance = part ? 1 : edit_distance(wanted, known);
-      const std::size_t largest =
-          std::max<std::size_t>(2, std::min(wanted.size(), known.size()) / 3);
-      if (distance < smallest && distance <= largest &&
-          distance < std::max(wanted.size(), known.size()))
       {
-        smallest = distance;
-        nearest  = candidate;
+        const std::string known = lower_case(candidate);
+        // An abbreviation is near however much has been left out.
+        const bool part =
+          wanted.size() >= 3 && known.find(wanted) != std::string::npos;
+        const std::size_t distance = part ? 1 : edit_distance(wanted, known);
+        const std::size_t largest =
+          std::max<std::size_t>(2, std::min(wanted.size(), known.size()) / 3);
+        if (distance < smallest && distance <= largest &&
+            distance < std::max(wanted.size(), known.size()))
+          {
+            smallest = distance;
+            nearest  = candidate;
+          }
       }
-    }
     return nearest;
   }
 
@@ -120,6 +121,6 @@ namespace rift
     const std::string nearest = nearest_name(name, candidates);
     if (!nearest.empty())
       return " Did you mean \"" + nearest + "\"?";
-    return " Known are " + enumeration(candidates) + ".";
+    return " Known are " + enumeration(candidates, "and") + ".";
   }
 } // namespace rift

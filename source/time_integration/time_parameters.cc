@@ -15,7 +15,7 @@ namespace rift
     parse_time_step(const std::string &text)
     {
       const std::string advice =
-          "auto or a number greater than zero is expected. Units: s.";
+          "this should be auto or a number greater than zero. Units: s.";
       if (text == "auto")
         return 0;
       if (!dealii::Patterns::Double().match(text))

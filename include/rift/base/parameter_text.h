@@ -25,9 +25,10 @@ namespace rift
   bool
   ends_with(const std::string &text, const std::string &ending);
 
-  /** "a", "a or b", "a, b or c". */
+  /** "a", "a or b", "a, b or c", with the last word joined by `last`. */
   std::string
-  enumeration(const std::vector<std::string> &words);
+  enumeration(const std::vector<std::string> &words,
+              const std::string              &last = "or");
 
   /**
    * The one of `candidates` that a user who wrote `name` has probably meant:
@@ -38,7 +39,7 @@ namespace rift
   nearest_name(const std::string              &name,
                const std::vector<std::string> &candidates);
 
-  /** " Did you mean "X"?", or else " Known are X, Y or Z.", for messages. */
+  /** " Did you mean "X"?", or else " Known are X, Y and Z.", for messages. */
   std::string
   suggestion(const std::string              &name,
              const std::vector<std::string> &candidates);

@@ -1,0 +1,36 @@
+# Runs rift on a bad scene and compares exit code and error message exactly.
+#
+#   cmake -D RIFT=... -D CASES=... -D NAME=... -D FOLDER=... -P run_failure.cmake
+#
+# RIFT is the program, CASES the folder of the cases, NAME the case, FOLDER a
+# folder to run in. See README.md beside this file for what belongs to a case.
+
+# The case's own copy of all files, so that messages show relative paths and a
+# case can leave something behind.
+file(REMOVE_RECURSE ${FOLDER})
+file(MAKE_DIRECTORY ${FOLDER})
+file(GLOB files ${CASES}/*)
+foreach(file ${files})
+  get_filename_component(base ${file} NAME)
+  file(CREATE_LINK ${file} ${FOLDER}/${base} SYMBOLIC)
+endforeach()
+
+set(arguments ${NAME}.prm)
+if(EXISTS ${CASES}/${NAME}.args)
+  file(STRINGS ${CASES}/${NAME}.args arguments)
+endif()
+if(EXISTS ${CASES}/${NAME}.sh)
+  execute_process(COMMAND bash ${NAME}.sh WORKING_DIRECTORY ${FOLDER}
+    RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT code EQUAL 0)
+    message(FATAL_ERROR "${NAME}.sh failed:\n${output}")
+  endif()
+endif()
+
+file(READ ${CASES}/${NAME}.error expected)
+execute_process(COMMAND ${RIFT} ${arguments} WORKING_DIRECTORY ${FOLDER}
+  RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE error)
+if(NOT "${code}\n${error}" STREQUAL "${expected}")
+  message(FATAL_ERROR "${NAME}: rift returned and said\n${code}\n${error}\n"
+    "but should have returned and said\n${expected}")
+endif()
