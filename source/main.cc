@@ -19,25 +19,26 @@ namespace
     std::ostream  nowhere(nullptr);
     std::ostream &out = speaks ? std::cout : nowhere;
     switch (command.action)
-    {
-    case Action::print_text:
-      out << command.text;
-      break;
-    case Action::print_defaults:
-      rift::print_defaults(out);
-      break;
-    case Action::print_reference:
-      rift::generate_reference(out);
-      break;
-    case Action::validate:
-      rift::print_summary(
-          out, rift::read_parameters(command.scene, command.overrides));
-      break;
-    case Action::run:
-      rift::run_simulation(
+      {
+      case Action::print_text:
+        out << command.text;
+        break;
+      case Action::print_defaults:
+        rift::print_defaults(out);
+        break;
+      case Action::print_reference:
+        rift::generate_reference(out);
+        break;
+      case Action::validate:
+        rift::print_summary(
+          out,
           rift::read_parameters(command.scene, command.overrides));
-      break;
-    }
+        break;
+      case Action::run:
+        rift::run_simulation(
+          rift::read_parameters(command.scene, command.overrides));
+        break;
+      }
     if (speaks && !std::cout.flush())
       throw rift::DiskError("cannot write to the standard output.");
   }
@@ -60,29 +61,29 @@ main(int argc, char **argv)
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
   const bool speaks =
-      dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+    dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
   try
-  {
-    execute(rift::parse_command_line(argc, argv), speaks);
-  }
+    {
+      execute(rift::parse_command_line(argc, argv), speaks);
+    }
   catch (const rift::Error &error)
-  {
-    return complain(error.what(), error.exit_code, speaks);
-  }
+    {
+      return complain(error.what(), error.exit_code, speaks);
+    }
   catch (const std::bad_alloc &)
-  {
-    return complain("the memory of this machine is too small for this "
-                    "scene. Use larger elements.",
-                    rift::ExitCode::run_error,
-                    speaks);
-  }
+    {
+      return complain("the memory of this machine is too small for this "
+                      "scene. Use larger elements.",
+                      rift::ExitCode::run_error,
+                      speaks);
+    }
   catch (const std::exception &error)
-  {
-    return complain(std::string("rift has failed in a way that it does not "
-                                "foresee. Please report this: ") +
+    {
+      return complain(std::string("rift has failed in a way that it does not "
+                                  "foresee. Please report this: ") +
                         error.what(),
-                    rift::ExitCode::run_error,
-                    speaks);
-  }
+                      rift::ExitCode::run_error,
+                      speaks);
+    }
   return static_cast<int>(rift::ExitCode::done);
 }

@@ -29,12 +29,12 @@ namespace rift
       InertEntries seed{"Fracture", {"Seed"}, {}, "without a Weibull modulus"};
       bool         has_scatter = false;
       for (const MaterialParameters &material : parameters.materials)
-      {
-        add(material.inert_entries());
-        has_scatter = has_scatter || material.weibull_modulus != 0;
-        seed.causes.emplace_back("Material " + material.name,
-                                 "Weibull modulus");
-      }
+        {
+          add(material.inert_entries());
+          has_scatter = has_scatter || material.weibull_modulus != 0;
+          seed.causes.emplace_back("Material " + material.name,
+                                   "Weibull modulus");
+        }
       if (!has_scatter &&
           parameters.cohesive.model != CohesiveParameters::Model::none)
         result.push_back(seed);
@@ -57,23 +57,23 @@ namespace rift
             throw ParameterError("Mesh",
                                  "Material",
                                  "\"" + parameters.mesh.material +
-                                     "\" is the only material of a built-in "
-                                     "shape, but there is a subsection "
-                                     "\"Material " +
-                                     material.name +
-                                     "\". Make the names the same.");
+                                   "\" is the only material of a built-in "
+                                   "shape, but there is a subsection "
+                                   "\"Material " +
+                                   material.name +
+                                   "\". Make the names the same.");
       if (parameters.cohesive.model != CohesiveParameters::Model::none)
-      {
-        if (std::none_of(materials.begin(), materials.end(), [](const auto &m) {
-              return m.breakable;
-            }))
-          throw ParameterError("Fracture",
-                               "Cohesive model",
-                               "no material is breakable. Set Breakable = "
-                               "true in one, or Cohesive model = none.");
-        for (const MaterialParameters &material : materials)
-          material.check_breakable();
-      }
+        {
+          if (std::none_of(materials.begin(),
+                           materials.end(),
+                           [](const auto &m) { return m.breakable; }))
+            throw ParameterError("Fracture",
+                                 "Cohesive model",
+                                 "no material is breakable. Set Breakable = "
+                                 "true in one, or Cohesive model = none.");
+          for (const MaterialParameters &material : materials)
+            material.check_breakable();
+        }
     }
 
     void
@@ -103,7 +103,7 @@ namespace rift
         result.materials.push_back(MaterialParameters::parse(prm, name));
       for (const std::string &name : names.boundaries)
         result.boundaries.push_back(
-            BoundaryParameters::parse(prm, name, scene));
+          BoundaryParameters::parse(prm, name, scene));
       result.body_force = BodyForceParameters::parse(prm);
       result.cohesive   = CohesiveParameters::parse(prm);
       result.time       = TimeParameters::parse(prm);
@@ -121,12 +121,12 @@ namespace rift
       const bool is_mesh  = entry.section == "Mesh" && entry.name == "File";
       const bool is_table = entry.section.compare(0, 9, "Boundary ") == 0 &&
                             ends_with(entry.value, ".csv");
-      return is_mesh || is_table
-                 ? std::filesystem::absolute(
-                       scene.resolve(entry.section, entry.name, entry.value))
-                       .lexically_normal()
-                       .string()
-                 : entry.value;
+      return is_mesh || is_table ?
+               std::filesystem::absolute(
+                 scene.resolve(entry.section, entry.name, entry.value))
+                 .lexically_normal()
+                 .string() :
+               entry.value;
     }
 
     // See used_parameters().
@@ -138,24 +138,25 @@ namespace rift
       const auto is_inert = [&](const ParameterDeclaration &entry) {
         return std::any_of(inert.begin(), inert.end(), [&](const auto &group) {
           return group.section == entry.section &&
-                 std::count(
-                     group.names.begin(), group.names.end(), entry.name) > 0;
+                 std::count(group.names.begin(),
+                            group.names.end(),
+                            entry.name) > 0;
         });
       };
       std::ostringstream out;
       std::string        section;
       for (const ParameterDeclaration &entry : declarations(prm))
-      {
-        if (entry.section != section)
         {
-          out << (section.empty() ? "" : "end\n") << "\nsubsection "
-              << entry.section << '\n';
-          section = entry.section;
+          if (entry.section != section)
+            {
+              out << (section.empty() ? "" : "end\n") << "\nsubsection "
+                  << entry.section << '\n';
+              section = entry.section;
+            }
+          if (!entry.value.empty() && !is_inert(entry))
+            out << (section.empty() ? "" : "  ") << "set " << entry.name
+                << " = " << absolute_value(entry, scene) << '\n';
         }
-        if (!entry.value.empty() && !is_inert(entry))
-          out << (section.empty() ? "" : "  ") << "set " << entry.name << " = "
-              << absolute_value(entry, scene) << '\n';
-      }
       out << "end\n";
       return out.str();
     }
@@ -199,16 +200,16 @@ namespace rift
     declare_parameters(prm, names);
     apply(scene, section_kinds(), prm);
     try
-    {
-      Parameters result = parse(prm, names, scene);
-      check(result, scene);
-      result.used_text = used_text(prm, inert_entries(result), scene);
-      return result;
-    }
+      {
+        Parameters result = parse(prm, names, scene);
+        check(result, scene);
+        result.used_text = used_text(prm, inert_entries(result), scene);
+        return result;
+      }
     catch (const ParameterError &error)
-    {
-      throw InputError(scene.describe(error));
-    }
+      {
+        throw InputError(scene.describe(error));
+      }
   }
 
   std::string
@@ -230,17 +231,17 @@ namespace rift
     if (!parameters.title.empty())
       out << "title:      " << parameters.title << '\n';
     out << "mesh:       "
-        << (mesh.shape == MeshParameters::Shape::file  ? mesh.file
-            : mesh.shape == MeshParameters::Shape::box ? "built-in box"
-                                                       : "built-in cylinder")
+        << (mesh.shape == MeshParameters::Shape::file ? mesh.file :
+            mesh.shape == MeshParameters::Shape::box  ? "built-in box" :
+                                                        "built-in cylinder")
         << '\n'
         << "materials:  " << names(parameters.materials) << '\n'
         << "boundaries: " << names(parameters.boundaries) << '\n'
         << "probes:     " << names(parameters.probes) << '\n'
         << "fracture:   "
-        << (parameters.cohesive.model == CohesiveParameters::Model::none
-                ? "none"
-                : "extrinsic")
+        << (parameters.cohesive.model == CohesiveParameters::Model::none ?
+              "none" :
+              "extrinsic")
         << '\n'
         << "end time:   " << short_text(parameters.time.end_time) << " s\n"
         << "output:     " << parameters.output.directory << '\n';

@@ -84,17 +84,17 @@ namespace rift
       first = last + 1;
       std::string line;
       while (std::getline(stream, line))
-      {
-        ++last;
-        if (last == 1 && line.compare(0, 3, "\xEF\xBB\xBF") == 0)
-          line.erase(0, 3);
-        line.erase(std::min(line.find('#'), line.size()));
-        line               = simplified(line);
-        const bool goes_on = ends_with(line, "\\");
-        text += goes_on ? line.substr(0, line.size() - 1) : line;
-        if (!goes_on)
-          return true;
-      }
+        {
+          ++last;
+          if (last == 1 && line.compare(0, 3, "\xEF\xBB\xBF") == 0)
+            line.erase(0, 3);
+          line.erase(std::min(line.find('#'), line.size()));
+          line               = simplified(line);
+          const bool goes_on = ends_with(line, "\\");
+          text += goes_on ? line.substr(0, line.size() - 1) : line;
+          if (!goes_on)
+            return true;
+        }
       if (!text.empty())
         throw InputError(at(file, last) +
                          "the file ends with a backslash, which announces "
@@ -113,41 +113,41 @@ namespace rift
       unsigned int                  first = 0, line = 0;
       std::string                   text;
       while (next_line(stream, path, first, line, text))
-      {
-        const std::string word = text.substr(0, text.find(' '));
-        const std::string rest = simplified(text.substr(word.size()));
-        const std::string section =
+        {
+          const std::string word = text.substr(0, text.find(' '));
+          const std::string rest = simplified(text.substr(word.size()));
+          const std::string section =
             open_sections.empty() ? outer : open_sections.back().path;
-        if (text.empty())
-          continue;
-        else if (word == "subsection" && !rest.empty())
-        {
-          // The slash parts section and name in overrides and messages.
-          if (rest.find('/') != std::string::npos)
-            throw InputError(at(path, first) + "subsection \"" + rest +
-                             "\": a name cannot have \"/\" in it. "
-                             "Choose another.");
-          open_sections.push_back({joined(section, rest), path, first});
-          sections.push_back(open_sections.back());
-        }
-        else if (text == "end")
-        {
-          if (open_sections.empty())
-            throw InputError(at(path, first) +
-                             "this \"end\" closes no subsection. Remove "
-                             "it, or open a subsection before it.");
-          open_sections.pop_back();
-        }
-        else if (word == "set" && text.find('=') != std::string::npos)
-          add_entry(section, rest, path, first);
-        else if (word == "include" && !rest.empty())
-          include(section, rest, path, first);
-        else
-          throw InputError(
+          if (text.empty())
+            continue;
+          else if (word == "subsection" && !rest.empty())
+            {
+              // The slash parts section and name in overrides and messages.
+              if (rest.find('/') != std::string::npos)
+                throw InputError(at(path, first) + "subsection \"" + rest +
+                                 "\": a name cannot have \"/\" in it. "
+                                 "Choose another.");
+              open_sections.push_back({joined(section, rest), path, first});
+              sections.push_back(open_sections.back());
+            }
+          else if (text == "end")
+            {
+              if (open_sections.empty())
+                throw InputError(at(path, first) +
+                                 "this \"end\" closes no subsection. Remove "
+                                 "it, or open a subsection before it.");
+              open_sections.pop_back();
+            }
+          else if (word == "set" && text.find('=') != std::string::npos)
+            add_entry(section, rest, path, first);
+          else if (word == "include" && !rest.empty())
+            include(section, rest, path, first);
+          else
+            throw InputError(
               at(path, first) + "cannot understand \"" + excerpt(text) +
               "\". A line is \"subsection NAME\", \"end\", \"set NAME = "
               "VALUE\", \"include FILE\" or a comment after \"#\".");
-      }
+        }
       if (stream.bad())
         throw InputError("cannot read \"" + path + "\" to its end.");
       if (!open_sections.empty())
@@ -165,9 +165,9 @@ namespace rift
                     const unsigned int line)
     {
       const std::string path =
-          (std::filesystem::path(file).parent_path() / name).string();
-      std::ifstream stream = open(
-          path, at(file, line), "Paths are relative to the including file.");
+        (std::filesystem::path(file).parent_path() / name).string();
+      std::ifstream stream =
+        open(path, at(file, line), "Paths are relative to the including file.");
       for (const std::string &other : open_files)
         if (std::filesystem::equivalent(other, path))
           throw InputError(at(file, line) + "\"" + path +
@@ -206,18 +206,19 @@ namespace rift
   place_of(const ParameterEntry &entry)
   {
     const std::string name = joined(entry.section, entry.name);
-    return entry.is_override ? "--set " + name + "=" + excerpt(entry.value)
-                             : at(entry.file, entry.line) + name + " = " +
-                                   excerpt(entry.value);
+    return entry.is_override ?
+             "--set " + name + "=" + excerpt(entry.value) :
+             at(entry.file, entry.line) + name + " = " + excerpt(entry.value);
   }
 
   ParameterFile::ParameterFile(const std::string              &path,
                                const std::vector<std::string> &overrides)
-      : scene(path)
+    : scene(path)
   {
     Reader reader;
-    reader.read(
-        path, "", open(path, "", "Give the path of a scene, a .prm file."));
+    reader.read(path,
+                "",
+                open(path, "", "Give the path of a scene, a .prm file."));
     all_entries  = std::move(reader.entries);
     all_sections = std::move(reader.sections);
     for (const std::string &text : overrides)
@@ -235,7 +236,7 @@ namespace rift
     if (slash != std::string::npos)
       entry.section = simplified(target.substr(0, slash));
     entry.name =
-        simplified(target.substr(slash == std::string::npos ? 0 : slash + 1));
+      simplified(target.substr(slash == std::string::npos ? 0 : slash + 1));
     if (equals == std::string::npos || entry.name.empty())
       throw InputError("--set " + excerpt(text) +
                        ": cannot understand this. Write --set "
@@ -244,14 +245,14 @@ namespace rift
 
     for (ParameterEntry &other : all_entries)
       if (other.section == entry.section && other.name == entry.name)
-      {
-        if (other.is_override)
-          throw InputError(place_of(entry) +
-                           ": the command line sets this already to \"" +
-                           excerpt(other.value) + "\". Remove one of the two.");
-        other = entry;
-        return;
-      }
+        {
+          if (other.is_override)
+            throw InputError(
+              place_of(entry) + ": the command line sets this already to \"" +
+              excerpt(other.value) + "\". Remove one of the two.");
+          other = entry;
+          return;
+        }
     all_entries.push_back(entry);
   }
 
@@ -279,25 +280,25 @@ namespace rift
     std::vector<std::string>      names;
     std::vector<ParameterSection> found;
     for (const ParameterSection &section : all_sections)
-    {
-      if (section.path.compare(0, kind.size() + 1, kind + " ") != 0 ||
-          section.path.find('/') != std::string::npos)
-        continue;
-      const std::string name = section.path.substr(kind.size() + 1);
-      const std::string here = at(section.file, section.line);
-      if (name.find_first_of(",;\"'[]{}()=\\") != std::string::npos)
-        throw InputError(here + "subsection \"" + section.path +
-                         "\": a name cannot have any of , ; \" ' [ ] { } ( "
-                         ") = \\ in it. Choose another.");
-      for (const ParameterSection &other : found)
-        if (other.path == section.path)
+      {
+        if (section.path.compare(0, kind.size() + 1, kind + " ") != 0 ||
+            section.path.find('/') != std::string::npos)
+          continue;
+        const std::string name = section.path.substr(kind.size() + 1);
+        const std::string here = at(section.file, section.line);
+        if (name.find_first_of(",;\"'[]{}()=\\") != std::string::npos)
           throw InputError(here + "subsection \"" + section.path +
-                           "\" is there already at " + other.file + ":" +
-                           std::to_string(other.line) +
-                           ". Rename or remove one of the two.");
-      found.push_back(section);
-      names.push_back(name);
-    }
+                           "\": a name cannot have any of , ; \" ' [ ] { } ( "
+                           ") = \\ in it. Choose another.");
+        for (const ParameterSection &other : found)
+          if (other.path == section.path)
+            throw InputError(here + "subsection \"" + section.path +
+                             "\" is there already at " + other.file + ":" +
+                             std::to_string(other.line) +
+                             ". Rename or remove one of the two.");
+        found.push_back(section);
+        names.push_back(name);
+      }
     return names;
   }
 
@@ -317,10 +318,10 @@ namespace rift
   {
     const ParameterEntry *entry = find(section, name);
     const std::string    &file =
-        entry == nullptr || entry->is_override ? scene : entry->file;
+      entry == nullptr || entry->is_override ? scene : entry->file;
     return (std::filesystem::path(file).parent_path() / path)
-        .lexically_normal()
-        .string();
+      .lexically_normal()
+      .string();
   }
 
   std::string
@@ -340,19 +341,22 @@ namespace rift
   ParameterFile::refuse_inert(const std::vector<InertEntries> &inert) const
   {
     for (const InertEntries &group : inert)
-    {
-      const bool is_switched_off = std::any_of(
-          group.causes.begin(), group.causes.end(), [&](const auto &cause) {
-            const ParameterEntry *entry = find(cause.first, cause.second);
-            return entry != nullptr && entry->is_override;
-          });
-      for (const std::string &name : group.names)
-        if (const ParameterEntry *entry = find(group.section, name))
-          if (entry->is_override || !is_switched_off)
-            throw ParameterError(group.section,
-                                 name,
-                                 "this has no effect " + group.reason +
+      {
+        const bool is_switched_off =
+          std::any_of(group.causes.begin(),
+                      group.causes.end(),
+                      [&](const auto &cause) {
+                        const ParameterEntry *entry =
+                          find(cause.first, cause.second);
+                        return entry != nullptr && entry->is_override;
+                      });
+        for (const std::string &name : group.names)
+          if (const ParameterEntry *entry = find(group.section, name))
+            if (entry->is_override || !is_switched_off)
+              throw ParameterError(group.section,
+                                   name,
+                                   "this has no effect " + group.reason +
                                      ". Remove it.");
-    }
+      }
   }
 } // namespace rift

@@ -7,10 +7,10 @@ namespace rift
   FaceQuadrature::FaceQuadrature()
   {
     shape[0].fill(1. / 3.);
-    weight[0]           = 9. / 40.;
-    const double root   = std::sqrt(15.);
-    const double at[2]  = {(6 - root) / 21, (6 + root) / 21};
-    const double w[2]   = {(155 - root) / 1200, (155 + root) / 1200};
+    weight[0]          = 9. / 40.;
+    const double root  = std::sqrt(15.);
+    const double at[2] = {(6 - root) / 21, (6 + root) / 21};
+    const double w[2]  = {(155 - root) / 1200, (155 + root) / 1200};
     for (unsigned int orbit = 0; orbit < 2; ++orbit)
       for (unsigned int corner = 0; corner < 3; ++corner)
         {
@@ -46,11 +46,10 @@ namespace rift
             const unsigned int   lane)
   {
     CohesivePoint<double> result;
-    for_each_field(batch.points[point],
-                   result,
-                   [lane](const Simd &field, double &value) {
-                     value = field[lane];
-                   });
+    for_each_field(
+      batch.points[point],
+      result,
+      [lane](const Simd &field, double &value) { value = field[lane]; });
     return result;
   }
 
@@ -69,7 +68,7 @@ namespace rift
   face_frame(const CohesiveBatch                &batch,
              const std::array<Vector3<Simd>, 3> &displacement_sums)
   {
-    const Simd          half   = broadcast(.5);
+    const Simd          half = broadcast(.5);
     const Vector3<Simd> edge_1 =
       batch.edges[0] + half * (displacement_sums[1] - displacement_sums[0]);
     const Vector3<Simd> edge_2 =

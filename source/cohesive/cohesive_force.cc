@@ -19,7 +19,8 @@ namespace rift
     , densities(std::move(densities))
     , stiffness_factor(stiffness_factor)
     , index_of_face(topology.faces.size(), invalid_index)
-  {}
+  {
+  }
 
   CohesiveForce::Kinematics
   CohesiveForce::kinematics(const State &state, const CohesiveBatch &batch)
@@ -111,7 +112,7 @@ namespace rift
           has_failed = batch.points[q].softening[lane] <= 0;
         if (has_failed)
           {
-            info.failure_time                = time;
+            info.failure_time               = time;
             topology.face_states[info.face] = FaceState::broken;
             ++failed;
           }

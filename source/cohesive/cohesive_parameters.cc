@@ -43,8 +43,8 @@ namespace rift
   {
     CohesiveParameters result;
     prm.enter_subsection(section);
-    result.model = prm.get("Cohesive model") == "extrinsic" ? Model::extrinsic
-                                                            : Model::none;
+    result.model =
+      prm.get("Cohesive model") == "extrinsic" ? Model::extrinsic : Model::none;
     result.stiffness_factor = prm.get_double("Stiffness factor");
     result.seed = static_cast<unsigned int>(prm.get_integer("Seed"));
     prm.leave_subsection();
@@ -55,8 +55,9 @@ namespace rift
   CohesiveParameters::check() const
   {
     if (!(stiffness_factor > 0))
-      throw ParameterError(
-          section, "Stiffness factor", "this must be greater than zero.");
+      throw ParameterError(section,
+                           "Stiffness factor",
+                           "this must be greater than zero.");
   }
 
   std::vector<InertEntries>

@@ -12,12 +12,12 @@ namespace rift
     {
       if (!a.breakable || !b.breakable)
         return {};
-      return FaceStrength{std::min(a.tensile_strength, b.tensile_strength),
-                          std::min(a.cohesion, b.cohesion),
-                          std::tan(std::min(a.friction_angle,
-                                            b.friction_angle)),
-                          std::min(a.fracture_energy_1, b.fracture_energy_1),
-                          std::min(a.fracture_energy_2, b.fracture_energy_2)};
+      return FaceStrength{
+        std::min(a.tensile_strength, b.tensile_strength),
+        std::min(a.cohesion, b.cohesion),
+        std::tan(std::min(a.friction_angle, b.friction_angle)),
+        std::min(a.fracture_energy_1, b.fracture_energy_1),
+        std::min(a.fracture_energy_2, b.fracture_energy_2)};
     }
 
     /** Scrambles the bits of a number (the finaliser of splitmix64). */

@@ -16,7 +16,8 @@ namespace rift
     , strengths(strengths)
     , hot_lanes(topology.n_batches(), 0)
     , stress_position(topology.n_batches(), invalid_index)
-  {}
+  {
+  }
 
   std::vector<FaceIndex>
   Insertion::find_faces(const State                  &state,
@@ -75,12 +76,12 @@ namespace rift
   bool
   Insertion::is_at_strength(const State &state, const FaceIndex face)
   {
-    const Face           &f    = topology.faces[face];
+    const Face           &f = topology.faces[face];
     const Vector3<double> area =
       reference_area_vector(reference, f.cells[0], f.local_faces[0]);
     const Vector3<double> traction =
-      (.5 / norm(area)) * (stress(state, f.cells[0]) * area +
-                           stress(state, f.cells[1]) * area);
+      (.5 / norm(area)) *
+      (stress(state, f.cells[0]) * area + stress(state, f.cells[1]) * area);
 
     std::array<Vector3<double>, 3> x;
     for (unsigned int c = 0; c < 3; ++c)
@@ -90,11 +91,10 @@ namespace rift
     normal                 = (1 / norm(normal)) * normal;
 
     const double       normal_stress = dot(traction, normal);
-    const double       shear_stress = norm(traction - normal_stress * normal);
-    const FaceStrength strength     = strengths.strength(face);
+    const double       shear_stress  = norm(traction - normal_stress * normal);
+    const FaceStrength strength      = strengths.strength(face);
     return normal_stress >= strength.tensile_strength ||
-           shear_stress >=
-             strength.cohesion - std::min(normal_stress, 0.) *
-                                   strength.tan_friction_angle;
+           shear_stress >= strength.cohesion - std::min(normal_stress, 0.) *
+                                                 strength.tan_friction_angle;
   }
 } // namespace rift

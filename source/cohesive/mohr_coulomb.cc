@@ -34,11 +34,11 @@ namespace rift
                                                  strength.fracture_energy_1,
                                                  std::max(traction[0], 0.),
                                                  stiffness);
-      point.inverse_slip    = inverse_separation(point.cohesion,
-                                              strength.fracture_energy_2,
-                                              std::hypot(traction[1],
-                                                         traction[2]),
-                                              stiffness);
+      point.inverse_slip =
+        inverse_separation(point.cohesion,
+                           strength.fracture_energy_2,
+                           std::hypot(traction[1], traction[2]),
+                           stiffness);
     }
   } // namespace
 
@@ -62,11 +62,10 @@ namespace rift
   {
     constexpr double least_softening = .1;
 
-    const Vector3<double> before   = traction_at(point, jump, stiffness);
-    Vector3<double>       t        = before + more;
-    const double          friction =
-      strength.tan_friction_angle * std::max(-t[0], 0.);
-    const double shear = std::hypot(t[1], t[2]);
+    const Vector3<double> before = traction_at(point, jump, stiffness);
+    Vector3<double>       t      = before + more;
+    const double friction = strength.tan_friction_angle * std::max(-t[0], 0.);
+    const double shear    = std::hypot(t[1], t[2]);
     if (point.softening > least_softening)
       {
         point.tensile_strength =

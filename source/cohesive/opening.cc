@@ -30,8 +30,7 @@ namespace rift
               continue;
             const auto &corners = face_corners[local];
             const auto  corner =
-              std::find(corners.begin(), corners.end(), here) -
-              corners.begin();
+              std::find(corners.begin(), corners.end(), here) - corners.begin();
             f(index,
               static_cast<unsigned int>(corner),
               topology.node(*cell, here),
@@ -75,8 +74,11 @@ namespace rift
               const unsigned int corner,
               const NodeIndex    minus,
               const NodeIndex    plus) {
+            // Another node at the same vertex may have split as well.
             const std::uint32_t index = index_of_face[face];
-            if (index == invalid_index)
+            if (index == invalid_index ||
+                std::find(split.parts.begin(), split.parts.end(), minus) ==
+                  split.parts.end())
               return;
             CohesiveBatch &batch = cohesive_faces.batches[index / batch_size];
             const unsigned int lane      = index % batch_size;
@@ -99,8 +101,7 @@ namespace rift
       {
         // Lanes without a face are triangles of no area that never open.
         CohesiveBatch empty{};
-        empty.edges[0][0] = empty.edges[1][1] = empty.stiffness =
-          broadcast(1);
+        empty.edges[0][0] = empty.edges[1][1] = empty.stiffness = broadcast(1);
         for (auto &point : empty.points)
           point.softening = broadcast(1);
         cohesive_faces.batches.push_back(empty);
@@ -108,9 +109,9 @@ namespace rift
     index_of_face[index] = static_cast<std::uint32_t>(cohesive_faces.size());
     cohesive_faces.infos.push_back({index, state.time, -1});
 
-    CohesiveBatch             &batch = cohesive_faces.batches.back();
-    const Face                &face  = topology.faces[index];
-    std::array<NodeIndex, 3>   nodes;
+    CohesiveBatch           &batch = cohesive_faces.batches.back();
+    const Face              &face  = topology.faces[index];
+    std::array<NodeIndex, 3> nodes;
     for (unsigned int c = 0; c < 3; ++c)
       {
         nodes[c] =
@@ -125,12 +126,12 @@ namespace rift
         for (unsigned int d = 0; d < dim; ++d)
           batch.edges[e][d][lane] = edges[e][d];
       }
-    const double       area            = .5 * norm(cross(edges[0], edges[1]));
-    const double       slope           = elastic_slope(index, area);
-    const FaceStrength strength        = strengths.strength(index);
-    batch.area[lane]                   = area;
-    batch.stiffness[lane]              = slope;
-    batch.tan_friction_angle[lane]     = strength.tan_friction_angle;
+    const double       area        = .5 * norm(cross(edges[0], edges[1]));
+    const double       slope       = elastic_slope(index, area);
+    const FaceStrength strength    = strengths.strength(index);
+    batch.area[lane]               = area;
+    batch.stiffness[lane]          = slope;
+    batch.tan_friction_angle[lane] = strength.tan_friction_angle;
     for (unsigned int q = 0; q < n_face_points; ++q)
       set_point(batch, q, lane, make_cohesive_point(strength, slope));
     batch.n_faces = lane + 1;
@@ -148,8 +149,9 @@ namespace rift
         const auto  &batch    = reference[cell / batch_size];
         const auto   lane     = cell % batch_size;
         const auto   material = topology.material(cell);
-        const double mass = densities[material] * batch.volume[lane] / n_corners;
-        limit             = std::min(limit,
+        const double mass =
+          densities[material] * batch.volume[lane] / n_corners;
+        limit = std::min(limit,
                          mass * largest_frequency_squared(batch,
                                                           lane,
                                                           stiffnesses[material],
@@ -159,11 +161,13 @@ namespace rift
   }
 
   void
-  CohesiveForce::start_openings(State &state)
+  CohesiveForce::start_openings(
+    State                           &state,
+    const std::vector<std::uint8_t> &prescribed_components)
   {
     std::vector<CornerForce> shares;
     for (const Parting &parting : partings)
-      share_bond_forces(state, parting, shares);
+      share_bond_forces(state, parting, prescribed_components, shares);
     partings.clear();
 
     std::stable_sort(shares.begin(),
@@ -183,9 +187,11 @@ namespace rift
   }
 
   void
-  CohesiveForce::share_bond_forces(const State              &state,
-                                   const Parting            &parting,
-                                   std::vector<CornerForce> &shares) const
+  CohesiveForce::share_bond_forces(
+    const State                     &state,
+    const Parting                   &parting,
+    const std::vector<std::uint8_t> &prescribed_components,
+    std::vector<CornerForce>        &shares) const
   {
     // Forces of the faces F = area (lambda_minus - lambda_plus), with lambda
     // one vector per node, are the smallest (in the mean over the area) that
@@ -208,6 +214,16 @@ namespace rift
     for (std::size_t i = 0; i < n; ++i)
       lambda[i] = (state.mass[parting.nodes[i]] / total_mass) * total_force -
                   state.force[parting.nodes[i]].vector();
+    if (!prescribed_components.empty())
+      {
+        std::uint8_t everywhere = 7;
+        for (const NodeIndex node : parting.nodes)
+          everywhere &= prescribed_components[node];
+        for (Vector3<double> &bond_force : lambda)
+          for (unsigned int d = 0; d < dim; ++d)
+            if ((everywhere >> d) & 1)
+              bond_force[d] = 0;
+      }
     const auto ends = [&](const Opening &opening) {
       const CohesiveBatch &batch =
         cohesive_faces.batches[opening.index / batch_size];
@@ -283,8 +299,8 @@ namespace rift
 
     // The functions 4 N_c - 1 are dual to the N_c: each loads its own corner
     // alone.
-    const double                   area     = batch.area[lane];
-    const FaceStrength             strength =
+    const double       area = batch.area[lane];
+    const FaceStrength strength =
       strengths.strength(cohesive_faces.infos[index].face);
     std::array<Vector3<double>, 3> held{};
     for (unsigned int q = 0; q < n_face_points; ++q)

@@ -7,7 +7,8 @@ namespace rift
   Activity::Activity(const Topology &topology)
     : batches(topology.n_batches(), asleep)
     , blocks((topology.n_nodes() + block_size - 1) / block_size, 0)
-  {}
+  {
+  }
 
   void
   Activity::grow(const std::size_t n_nodes)

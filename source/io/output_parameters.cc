@@ -87,8 +87,9 @@ namespace rift
          {std::make_pair("Solution interval", solution_interval),
           std::make_pair("History interval", history_interval)})
       if (!(value >= 0))
-        throw ParameterError(
-            section, name, "this cannot be negative. Units: s.");
+        throw ParameterError(section,
+                             name,
+                             "this cannot be negative. Units: s.");
   }
 
   void
@@ -129,16 +130,17 @@ namespace rift
     prm.enter_subsection(probe);
     for (const FieldWord &word : field_words())
       if (word.text == prm.get("Field"))
-      {
-        result.field     = word.field;
-        result.component = word.component;
-      }
+        {
+          result.field     = word.field;
+          result.component = word.component;
+        }
     result.boundary = prm.get("Boundary");
     result.point    = get_vector(prm, "Point");
     prm.leave_subsection();
     if (result.boundary.empty() && scene.find(probe, "Point") == nullptr)
-      throw ParameterError(
-          probe, "Point", "a probe needs a Boundary or a Point.");
+      throw ParameterError(probe,
+                           "Point",
+                           "a probe needs a Boundary or a Point.");
     return result;
   }
 

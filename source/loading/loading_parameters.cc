@@ -27,8 +27,8 @@ namespace rift
                    const ParameterFile      &scene)
     {
       const std::string text = prm.get(name);
-      return ends_with(text, ".csv") ? scene.resolve(section, name, text)
-                                     : text;
+      return ends_with(text, ".csv") ? scene.resolve(section, name, text) :
+                                       text;
     }
 
     void
@@ -41,7 +41,7 @@ namespace rift
         throw ParameterError(section,
                              name,
                              "there is no file \"" + function +
-                                 "\". Paths are relative to the .prm.");
+                               "\". Paths are relative to the .prm.");
     }
   } // namespace
 
@@ -61,13 +61,13 @@ namespace rift
                         "",
                         function,
                         "Function of time: force along " + axis +
-                            " per area of the undeformed surface. Units: Pa.");
+                          " per area of the undeformed surface. Units: Pa.");
     for (const std::string &axis : axes)
       prm.declare_entry("Velocity " + axis,
                         "",
                         function,
                         "Function of time: prescribed velocity along " + axis +
-                            "; 0 holds the surface. Units: m/s.");
+                          "; 0 holds the surface. Units: m/s.");
     prm.leave_subsection();
   }
 
@@ -82,12 +82,12 @@ namespace rift
     prm.enter_subsection(section);
     result.pressure = parse_function(prm, section, "Pressure", scene);
     for (unsigned int d = 0; d < 3; ++d)
-    {
-      result.traction[d] =
+      {
+        result.traction[d] =
           parse_function(prm, section, "Traction " + axes[d], scene);
-      result.velocity[d] =
+        result.velocity[d] =
           parse_function(prm, section, "Velocity " + axes[d], scene);
-    }
+      }
     prm.leave_subsection();
     return result;
   }
@@ -99,18 +99,18 @@ namespace rift
     bool              is_free = pressure.empty();
     check_table(section, "Pressure", pressure);
     for (unsigned int d = 0; d < 3; ++d)
-    {
-      check_table(section, "Traction " + axes[d], traction[d]);
-      check_table(section, "Velocity " + axes[d], velocity[d]);
-      is_free = is_free && traction[d].empty() && velocity[d].empty();
-      if (!traction[d].empty() && !velocity[d].empty())
-        throw ParameterError(section,
-                             "Velocity " + axes[d],
-                             "Traction " + axes[d] +
+      {
+        check_table(section, "Traction " + axes[d], traction[d]);
+        check_table(section, "Velocity " + axes[d], velocity[d]);
+        is_free = is_free && traction[d].empty() && velocity[d].empty();
+        if (!traction[d].empty() && !velocity[d].empty())
+          throw ParameterError(section,
+                               "Velocity " + axes[d],
+                               "Traction " + axes[d] +
                                  " is set too, but a component has either a "
                                  "traction or a velocity. Remove one of the "
                                  "two.");
-    }
+      }
     if (is_free)
       throw ParameterError(section,
                            "Pressure",

@@ -106,8 +106,8 @@ namespace rift
     double before = 0, after = 0;
     for (std::size_t i = 0; i < nodes.size() && is_loaded; ++i)
       {
-        const NodeIndex       node = nodes[i];
-        const Vector3<double> v    = state.velocity[node].vector();
+        const NodeIndex       node  = nodes[i];
+        const Vector3<double> v     = state.velocity[node].vector();
         const double          power = dot(forces[i], v);
         before += power;
         after += power + time_step / state.mass[node] *

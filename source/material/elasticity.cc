@@ -46,9 +46,10 @@ namespace rift
     for (unsigned int j = 0; j < 6; ++j)
       {
         SymmetricTensor<double> strain{};
-        strain[j]         = j < 3 ? 1. : .5;
-        const auto column = std::visit(
-          [&](const auto &law) { return law.stress(strain); }, elasticity);
+        strain[j] = j < 3 ? 1. : .5;
+        const auto column =
+          std::visit([&](const auto &law) { return law.stress(strain); },
+                     elasticity);
         for (unsigned int i = 0; i < 6; ++i)
           result[i][j] = column[i];
       }

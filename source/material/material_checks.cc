@@ -19,10 +19,10 @@ namespace rift
       unsigned int k = 0;
       for (unsigned int i = 0; i < 6; ++i)
         for (unsigned int j = i; j < 6; ++j, ++k)
-        {
-          const double factor = (i < 3 ? 1 : M_SQRT2) * (j < 3 ? 1 : M_SQRT2);
-          result[i][j] = result[j][i] = factor * stiffness[k];
-        }
+          {
+            const double factor = (i < 3 ? 1 : M_SQRT2) * (j < 3 ? 1 : M_SQRT2);
+            result[i][j] = result[j][i] = factor * stiffness[k];
+          }
       return result;
     }
 
@@ -34,23 +34,23 @@ namespace rift
       for (unsigned int sweep = 0; sweep < 10; ++sweep)
         for (unsigned int p = 0; p < 5; ++p)
           for (unsigned int q = p + 1; q < 6; ++q)
-          {
-            const double angle =
+            {
+              const double angle =
                 0.5 * std::atan2(2 * a[p][q], a[q][q] - a[p][p]);
-            const double c = std::cos(angle), s = std::sin(angle);
-            for (unsigned int k = 0; k < 6; ++k)
-            {
-              const double kp = a[k][p], kq = a[k][q];
-              a[k][p] = c * kp - s * kq;
-              a[k][q] = s * kp + c * kq;
+              const double c = std::cos(angle), s = std::sin(angle);
+              for (unsigned int k = 0; k < 6; ++k)
+                {
+                  const double kp = a[k][p], kq = a[k][q];
+                  a[k][p] = c * kp - s * kq;
+                  a[k][q] = s * kp + c * kq;
+                }
+              for (unsigned int k = 0; k < 6; ++k)
+                {
+                  const double pk = a[p][k], qk = a[q][k];
+                  a[p][k] = c * pk - s * qk;
+                  a[q][k] = s * pk + c * qk;
+                }
             }
-            for (unsigned int k = 0; k < 6; ++k)
-            {
-              const double pk = a[p][k], qk = a[q][k];
-              a[p][k] = c * pk - s * qk;
-              a[q][k] = s * pk + c * qk;
-            }
-          }
       double result = a[0][0];
       for (unsigned int i = 1; i < 6; ++i)
         result = std::min(result, a[i][i]);
@@ -96,12 +96,12 @@ namespace rift
                             " m/s; solids have 100 to 15000 m/s.";
       for (const auto &[unit, factor] :
            {std::make_pair("MPa", 1e6), std::make_pair("GPa", 1e9)})
-      {
-        const double other = speed * std::sqrt(factor);
-        // Rocks have 1 to 8 km/s.
-        if (other > 1000 && other < 8000)
-          problem += std::string(" Is it in ") + unit + "? rift uses Pa.";
-      }
+        {
+          const double other = speed * std::sqrt(factor);
+          // Rocks have 1 to 8 km/s.
+          if (other > 1000 && other < 8000)
+            problem += std::string(" Is it in ") + unit + "? rift uses Pa.";
+        }
       refuse(name, problem);
     }
 
@@ -133,9 +133,9 @@ namespace rift
         refuse("Stiffness",
                "the stiffness is not positive definite, its smallest "
                "eigenvalue is " +
-                   short_text(smallest) +
-                   " Pa. Give the upper triangle row by row: 11, 12, 13, 14, "
-                   "15, 16, 22, 23, ... with 4, 5, 6 for 23, 13, 12.");
+                 short_text(smallest) +
+                 " Pa. Give the upper triangle row by row: 11, 12, 13, 14, "
+                 "15, 16, 22, 23, ... with 4, 5, 6 for 23, 13, 12.");
       for (unsigned int i = 0; i < 3; ++i)
         check_wave_speed(material, kelvin[i][i], "Stiffness", refuse);
 

@@ -128,9 +128,9 @@ namespace rift
     result.name = name;
     prm.enter_subsection(section_of(name));
     result.density        = prm.get_double("Density");
-    result.elasticity     = prm.get("Elasticity") == "anisotropic"
-                                ? Elasticity::anisotropic
-                                : Elasticity::isotropic;
+    result.elasticity     = prm.get("Elasticity") == "anisotropic" ?
+                              Elasticity::anisotropic :
+                              Elasticity::isotropic;
     result.youngs_modulus = prm.get_double("Young's modulus");
     result.poissons_ratio = prm.get_double("Poisson's ratio");
     const auto stiffness  = get_numbers(prm, "Stiffness");

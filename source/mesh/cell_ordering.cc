@@ -21,7 +21,7 @@ namespace rift
           for (unsigned int d = 0; d < dim; ++d)
             centres[c][d] += 0.25 * mesh.vertices[v][d];
       const auto place_on_curve =
-          dealii::Utilities::inverse_Hilbert_space_filling_curve(centres);
+        dealii::Utilities::inverse_Hilbert_space_filling_curve(centres);
 
       std::vector<GlobalCellIndex> order(mesh.cells.size());
       std::iota(order.begin(), order.end(), 0);
@@ -55,14 +55,14 @@ namespace rift
       vertices.reserve(mesh.vertices.size());
       for (auto &cell : mesh.cells)
         for (VertexIndex &v : cell)
-        {
-          if (new_index[v] == invalid_index)
           {
-            new_index[v] = static_cast<VertexIndex>(vertices.size());
-            vertices.push_back(mesh.vertices[v]);
+            if (new_index[v] == invalid_index)
+              {
+                new_index[v] = static_cast<VertexIndex>(vertices.size());
+                vertices.push_back(mesh.vertices[v]);
+              }
+            v = new_index[v];
           }
-          v = new_index[v];
-        }
       mesh.vertices = std::move(vertices);
     }
 

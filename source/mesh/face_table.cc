@@ -14,10 +14,10 @@ namespace rift
       bool       odd  = false;
       const auto swap = [&](const unsigned int i, const unsigned int j) {
         if (v[j] < v[i])
-        {
-          std::swap(v[i], v[j]);
-          odd = !odd;
-        }
+          {
+            std::swap(v[i], v[j]);
+            odd = !odd;
+          }
       };
       swap(0, 1);
       swap(1, 2);
@@ -33,39 +33,39 @@ namespace rift
   } // namespace
 
   FaceTable::FaceTable(const MeshData &mesh)
-      : begin_of_vertex(mesh.vertices.size() + 1, 0)
-      , sides(n_corners * mesh.cells.size())
+    : begin_of_vertex(mesh.vertices.size() + 1, 0)
+    , sides(n_corners * mesh.cells.size())
   {
     const auto corners_of = [&](const std::size_t c, const unsigned int f) {
       const auto &cell = mesh.cells[c];
       const auto &face = face_corners[f];
       return std::array<VertexIndex, 3>{
-          {cell[face[0]], cell[face[1]], cell[face[2]]}};
+        {cell[face[0]], cell[face[1]], cell[face[2]]}};
     };
 
     // A bucket for each smallest vertex: a sort of everything takes several
     // times as long.
     for (std::size_t c = 0; c < mesh.cells.size(); ++c)
       for (unsigned int f = 0; f < n_corners; ++f)
-      {
-        const auto v = corners_of(c, f);
-        ++begin_of_vertex[*std::min_element(v.begin(), v.end()) + 1];
-      }
+        {
+          const auto v = corners_of(c, f);
+          ++begin_of_vertex[*std::min_element(v.begin(), v.end()) + 1];
+        }
     for (std::size_t v = 0; v + 1 < begin_of_vertex.size(); ++v)
       begin_of_vertex[v + 1] += begin_of_vertex[v];
 
     std::vector<std::size_t> next(begin_of_vertex);
     for (std::size_t c = 0; c < mesh.cells.size(); ++c)
       for (unsigned int f = 0; f < n_corners; ++f)
-      {
-        auto       v        = corners_of(c, f);
-        const bool odd      = sort_corners(v);
-        sides[next[v[0]]++] = {v[1],
-                               v[2],
-                               static_cast<GlobalCellIndex>(c),
-                               static_cast<std::uint8_t>(f),
-                               odd};
-      }
+        {
+          auto       v        = corners_of(c, f);
+          const bool odd      = sort_corners(v);
+          sides[next[v[0]]++] = {v[1],
+                                 v[2],
+                                 static_cast<GlobalCellIndex>(c),
+                                 static_cast<std::uint8_t>(f),
+                                 odd};
+        }
     for (std::size_t v = 0; v + 1 < begin_of_vertex.size(); ++v)
       std::sort(sides.begin() + begin_of_vertex[v],
                 sides.begin() + begin_of_vertex[v + 1],

@@ -24,28 +24,28 @@ namespace rift
     {
       std::vector<Token> tokens;
       for (std::size_t i = 0; i < text.size();)
-      {
-        std::size_t end = i + 1;
-        if (text.compare(i, 2, "//") == 0)
-          end = text.find('\n', i);
-        else if (text.compare(i, 2, "/*") == 0)
-          end = text.find("*/", i + 2) == std::string::npos
-                    ? std::string::npos
-                    : text.find("*/", i + 2) + 2;
-        else
         {
-          if (text[i] == '"')
-            end = text.find('"', i + 1) == std::string::npos
-                      ? std::string::npos
-                      : text.find('"', i + 1) + 1;
-          else if (in_word(text[i]))
-            while (end < text.size() && in_word(text[end]))
-              ++end;
-          if (!std::isspace(static_cast<unsigned char>(text[i])))
-            tokens.push_back(text.substr(i, end - i));
+          std::size_t end = i + 1;
+          if (text.compare(i, 2, "//") == 0)
+            end = text.find('\n', i);
+          else if (text.compare(i, 2, "/*") == 0)
+            end = text.find("*/", i + 2) == std::string::npos ?
+                    std::string::npos :
+                    text.find("*/", i + 2) + 2;
+          else
+            {
+              if (text[i] == '"')
+                end = text.find('"', i + 1) == std::string::npos ?
+                        std::string::npos :
+                        text.find('"', i + 1) + 1;
+              else if (in_word(text[i]))
+                while (end < text.size() && in_word(text[end]))
+                  ++end;
+              if (!std::isspace(static_cast<unsigned char>(text[i])))
+                tokens.push_back(text.substr(i, end - i));
+            }
+          i = std::min(end, text.size());
         }
-        i = std::min(end, text.size());
-      }
       return tokens;
     }
 
@@ -67,19 +67,19 @@ namespace rift
       std::vector<Token> result;
       bool               included = false;
       for (const Token &token : split_into_tokens(text.str()))
-      {
-        if (included && token.size() > 2 && token[0] == '"')
         {
-          std::string name = token.substr(1, token.size() - 2);
-          if (name[0] != '/')
-            name = file.substr(0, file.find_last_of('/') + 1) + name;
-          const auto inner = read_tokens(name, depth + 1);
-          result.insert(result.end(), inner.begin(), inner.end());
+          if (included && token.size() > 2 && token[0] == '"')
+            {
+              std::string name = token.substr(1, token.size() - 2);
+              if (name[0] != '/')
+                name = file.substr(0, file.find_last_of('/') + 1) + name;
+              const auto inner = read_tokens(name, depth + 1);
+              result.insert(result.end(), inner.begin(), inner.end());
+            }
+          else
+            result.push_back(token);
+          included = (token == "Include");
         }
-        else
-          result.push_back(token);
-        included = (token == "Include");
-      }
       return result;
     }
 
@@ -97,22 +97,22 @@ namespace rift
       unsigned int depth    = 0;
       bool         defining = false;
       for (std::size_t i = 0; i < tokens.size(); ++i)
-      {
-        defining = defining || tokens[i] == "DefineConstant";
-        if (defining && (tokens[i] == "[" || tokens[i] == "("))
-          ++depth;
-        else if (depth > 0 && (tokens[i] == "]" || tokens[i] == ")"))
-          defining = (--depth > 0);
+        {
+          defining = defining || tokens[i] == "DefineConstant";
+          if (defining && (tokens[i] == "[" || tokens[i] == "("))
+            ++depth;
+          else if (depth > 0 && (tokens[i] == "]" || tokens[i] == ")"))
+            defining = (--depth > 0);
 
-        const auto is = [&](const std::size_t k, const char *token) {
-          return k < tokens.size() && tokens[k] == token;
-        };
-        const bool assigned = !defining && is(i + 1, "=") && !is(i + 2, "=");
-        if (in_word(tokens[i][0]))
-          mentions.emplace(tokens[i],
-                           assigned ? FirstMention::assignment
-                                    : FirstMention::use);
-      }
+          const auto is = [&](const std::size_t k, const char *token) {
+            return k < tokens.size() && tokens[k] == token;
+          };
+          const bool assigned = !defining && is(i + 1, "=") && !is(i + 2, "=");
+          if (in_word(tokens[i][0]))
+            mentions.emplace(tokens[i],
+                             assigned ? FirstMention::assignment :
+                                        FirstMention::use);
+        }
       return mentions;
     }
   } // namespace
@@ -123,19 +123,19 @@ namespace rift
   {
     const auto mentions = find_first_mentions(read_tokens(file, 0));
     for (const std::string &name : names)
-    {
-      const auto mention = mentions.find(name);
-      if (mention == mentions.end())
-        throw InputError("The gmsh script '" + file +
-                         "' does not use the parameter '" + name +
-                         "'. Remove it from the scene, or write "
-                         "DefineConstant[ " +
-                         name + " = ... ]; into the script and use it.");
-      if (mention->second == FirstMention::assignment)
-        throw InputError("The gmsh script '" + file + "' sets '" + name +
-                         "' itself, so that the value of the scene would be "
-                         "lost. Write DefineConstant[ " +
-                         name + " = ... ]; in place of " + name + " = ...;");
-    }
+      {
+        const auto mention = mentions.find(name);
+        if (mention == mentions.end())
+          throw InputError("The gmsh script '" + file +
+                           "' does not use the parameter '" + name +
+                           "'. Remove it from the scene, or write "
+                           "DefineConstant[ " +
+                           name + " = ... ]; into the script and use it.");
+        if (mention->second == FirstMention::assignment)
+          throw InputError("The gmsh script '" + file + "' sets '" + name +
+                           "' itself, so that the value of the scene would be "
+                           "lost. Write DefineConstant[ " +
+                           name + " = ... ]; in place of " + name + " = ...;");
+      }
   }
 } // namespace rift

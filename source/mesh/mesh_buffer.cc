@@ -33,7 +33,7 @@ namespace rift
     {
     public:
       explicit Reader(const std::string &bytes)
-          : bytes(bytes)
+        : bytes(bytes)
       {
       }
 

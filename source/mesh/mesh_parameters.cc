@@ -23,22 +23,22 @@ namespace rift
         throw ParameterError(section,
                              "Parameters",
                              problem +
-                                 " Write \"NAME = NUMBER, NAME = NUMBER\".");
+                               " Write \"NAME = NUMBER, NAME = NUMBER\".");
       };
       std::map<std::string, double> result;
       for (const std::string &pair : dealii::Utilities::split_string_list(text))
-      {
-        const std::size_t equals = pair.find('=');
-        const std::string name   = simplified(pair.substr(0, equals));
-        if (equals == std::string::npos || name.empty())
-          fail("\"" + pair + "\" gives no number to a name.");
-        const std::string number = simplified(pair.substr(equals + 1));
-        if (!dealii::Patterns::Double().match(number))
-          fail("\"" + number + "\" is not a number.");
-        if (!result.emplace(name, dealii::Utilities::string_to_double(number))
+        {
+          const std::size_t equals = pair.find('=');
+          const std::string name   = simplified(pair.substr(0, equals));
+          if (equals == std::string::npos || name.empty())
+            fail("\"" + pair + "\" gives no number to a name.");
+          const std::string number = simplified(pair.substr(equals + 1));
+          if (!dealii::Patterns::Double().match(number))
+            fail("\"" + number + "\" is not a number.");
+          if (!result.emplace(name, dealii::Utilities::string_to_double(number))
                  .second)
-          fail("\"" + name + "\" is given twice.");
-      }
+            fail("\"" + name + "\" is given twice.");
+        }
       return result;
     }
 
@@ -51,21 +51,23 @@ namespace rift
                              "a mesh is needed. Give a .geo or .msh file, or "
                              "set Shape to box or cylinder.");
       if (!ends_with(file, ".geo") && !ends_with(file, ".msh"))
-        throw ParameterError(
-            section, "File", "the name of a mesh ends with .geo or .msh.");
+        throw ParameterError(section,
+                             "File",
+                             "the name of a mesh ends with .geo or .msh.");
       if (!std::filesystem::is_regular_file(file))
         throw ParameterError(section,
                              "File",
                              "there is no file \"" + file +
-                                 "\". Paths are relative to the .prm.");
+                               "\". Paths are relative to the .prm.");
     }
 
     void
     check_positive(const std::string &name, const double value)
     {
       if (!(value > 0))
-        throw ParameterError(
-            section, name, "this must be greater than zero. Units: m.");
+        throw ParameterError(section,
+                             name,
+                             "this must be greater than zero. Units: m.");
     }
 
     // `volume` and `largest` of the body in which the cells have to fit.
@@ -79,16 +81,16 @@ namespace rift
         throw ParameterError(section,
                              "Element size",
                              "the cells are larger than the body, which is " +
-                                 short_text(largest) +
-                                 " m. Is it in mm? rift uses m.");
+                               short_text(largest) +
+                               " m. Is it in mm? rift uses m.");
       // A regular tetrahedron of edge h has the volume 0.118 h^3.
       const double n_cells = volume / (0.118 * size * size * size);
       if (n_cells > 4e9)
         throw ParameterError(section,
                              "Element size",
                              "this would make about " + short_text(n_cells) +
-                                 " cells; rift can count 4e+09. Is the body "
-                                 "given in mm? rift uses m.");
+                               " cells; rift can count 4e+09. Is the body "
+                               "given in mm? rift uses m.");
     }
   } // namespace
 
@@ -149,9 +151,9 @@ namespace rift
     MeshParameters result;
     prm.enter_subsection(section);
     const std::string shape = prm.get("Shape");
-    result.shape            = shape == "box"        ? Shape::box
-                              : shape == "cylinder" ? Shape::cylinder
-                                                    : Shape::file;
+    result.shape            = shape == "box"      ? Shape::box :
+                              shape == "cylinder" ? Shape::cylinder :
+                                                    Shape::file;
     if (!prm.get("File").empty())
       result.file = scene.resolve(section, "File", prm.get("File"));
     result.element_size    = prm.get_double("Element size");
@@ -168,28 +170,28 @@ namespace rift
   MeshParameters::check() const
   {
     switch (shape)
-    {
-    case Shape::file:
-      check_file(file);
-      if (element_size != 0)
-        check_positive("Element size", element_size);
-      break;
-    case Shape::box:
-      for (const double edge : box_size)
-        check_positive("Box size", edge);
-      check_element_size(element_size,
-                         box_size[0] * box_size[1] * box_size[2],
-                         *std::max_element(box_size.begin(), box_size.end()));
-      break;
-    case Shape::cylinder:
-      check_positive("Cylinder radius", cylinder_radius);
-      check_positive("Cylinder length", cylinder_length);
-      check_element_size(element_size,
-                         M_PI * cylinder_radius * cylinder_radius *
+      {
+      case Shape::file:
+        check_file(file);
+        if (element_size != 0)
+          check_positive("Element size", element_size);
+        break;
+      case Shape::box:
+        for (const double edge : box_size)
+          check_positive("Box size", edge);
+        check_element_size(element_size,
+                           box_size[0] * box_size[1] * box_size[2],
+                           *std::max_element(box_size.begin(), box_size.end()));
+        break;
+      case Shape::cylinder:
+        check_positive("Cylinder radius", cylinder_radius);
+        check_positive("Cylinder length", cylinder_length);
+        check_element_size(element_size,
+                           M_PI * cylinder_radius * cylinder_radius *
                              cylinder_length,
-                         std::max(2 * cylinder_radius, cylinder_length));
-      break;
-    }
+                           std::max(2 * cylinder_radius, cylinder_length));
+        break;
+      }
   }
 
   std::vector<InertEntries>
@@ -201,22 +203,22 @@ namespace rift
       return InertEntries{section, names, {{section, cause}}, reason};
     };
     switch (shape)
-    {
-    case Shape::box:
-      return {
+      {
+      case Shape::box:
+        return {
           inert({"File", "Parameters", "Cylinder radius", "Cylinder length"},
                 "Shape",
                 "on a box")};
-    case Shape::cylinder:
-      return {
+      case Shape::cylinder:
+        return {
           inert({"File", "Parameters", "Box size"}, "Shape", "on a cylinder")};
-    default:
-      break;
-    }
+      default:
+        break;
+      }
     std::vector<InertEntries> result = {
-        inert({"Box size", "Cylinder radius", "Cylinder length", "Material"},
-              "Shape",
-              "on a mesh from a file")};
+      inert({"Box size", "Cylinder radius", "Cylinder length", "Material"},
+            "Shape",
+            "on a mesh from a file")};
     if (ends_with(file, ".msh"))
       result.push_back(inert({"Element size", "Parameters"},
                              "File",

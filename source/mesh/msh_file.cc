@@ -40,15 +40,16 @@ namespace rift
                        file + " -save -format msh41 -o new.msh");
 
     for (const std::string section : {"MeshFormat", "Nodes", "Elements"})
-    {
-      if (!contains(text, "$" + section))
-        throw InputError("The mesh file '" + file + "' has no section $" +
-                         section +
-                         ". It is cut off or damaged: write it again.");
-      if (!contains(text, "$End" + section))
-        throw InputError("The mesh file '" + file + "' has no $End" + section +
-                         ". It is cut off or damaged: write it "
-                         "again.");
-    }
+      {
+        if (!contains(text, "$" + section))
+          throw InputError("The mesh file '" + file + "' has no section $" +
+                           section +
+                           ". It is cut off or damaged: write it again.");
+        if (!contains(text, "$End" + section))
+          throw InputError("The mesh file '" + file + "' has no $End" +
+                           section +
+                           ". It is cut off or damaged: write it "
+                           "again.");
+      }
   }
 } // namespace rift

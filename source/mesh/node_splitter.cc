@@ -38,8 +38,8 @@ namespace rift
               const CellIndex other = topology.neighbour(face, cells[i]);
               const auto      position =
                 std::lower_bound(cells.begin(), cells.end(), other);
-              const std::size_t a = find_root(i);
-              const std::size_t b = find_root(position - cells.begin());
+              const std::size_t a  = find_root(i);
+              const std::size_t b  = find_root(position - cells.begin());
               root[std::max(a, b)] = std::min(a, b);
             }
         }

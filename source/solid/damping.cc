@@ -32,7 +32,8 @@ namespace rift
     : topology(topology)
     , reference(reference)
     , viscosities(std::move(viscosities))
-  {}
+  {
+  }
 
   void
   Damping::add_to(State &state, const Activity &activity)
@@ -80,8 +81,8 @@ namespace rift
         const Vector3<double> f     = forces[i].vector();
         const double          power = dot(f, state.velocity[i].vector());
         before -= power;
-        after -= power + time_step / state.mass[i] *
-                           dot(f, state.force[i].vector());
+        after -=
+          power + time_step / state.mass[i] * dot(f, state.force[i].vector());
       }
     dissipated_until_now    = dissipated_in_half_step + .5 * time_step * before;
     dissipated_in_half_step = dissipated_until_now + .5 * time_step * after;

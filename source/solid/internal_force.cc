@@ -30,18 +30,20 @@ namespace rift
             std::pow(1 / (std::sqrt(.5) / bound.cos_friction_angle +
                           bound.tan_friction_angle / std::sqrt(24.)),
                      2))
-      {}
+      {
+      }
 
       /** Where the norm of the deviator exceeds what the mean stress allows. */
       SimdMask
-      hot_lanes(const SymmetricTensor<Simd> &s, const Simd &strain_squared) const
+      hot_lanes(const SymmetricTensor<Simd> &s,
+                const Simd                  &strain_squared) const
       {
         const Simd zero{};
-        const Simd mean      = (s[0] + s[1] + s[2]) * (1. / 3.);
-        const Simd deviator  = contract(s, s) - 3. * mean * mean;
-        const Simd tension   = max(tensile_strength - mean, zero);
-        const Simd shear     = max(cohesion - friction * mean, zero);
-        const Simd allowed   = min(1.5 * tension * tension,
+        const Simd mean     = (s[0] + s[1] + s[2]) * (1. / 3.);
+        const Simd deviator = contract(s, s) - 3. * mean * mean;
+        const Simd tension  = max(tensile_strength - mean, zero);
+        const Simd shear    = max(cohesion - friction * mean, zero);
+        const Simd allowed  = min(1.5 * tension * tension,
                                  inverse_shear_factor_squared * shear * shear);
         return (deviator >= allowed) | (strain_squared > small_strain_squared);
       }
@@ -56,7 +58,8 @@ namespace rift
     : topology(topology)
     , reference(reference)
     , laws(std::move(laws))
-  {}
+  {
+  }
 
   void
   InternalForce::watch(std::vector<std::optional<StressBound>> new_bounds)
@@ -98,7 +101,7 @@ namespace rift
     const Law                 law = the_law;
     std::optional<FailedCell> failed;
     const HotCheck            check(is_watched ? *bounds[range.material] :
-                                                 StressBound{0, 0, 0, 1});
+                                      StressBound{0, 0, 0, 1});
 
     for (std::size_t b = range.begin; b < range.end; ++b)
       {
@@ -110,8 +113,10 @@ namespace rift
         const Matrix3<Simd> h      = gradient(data, nodes, state.displacement);
         const auto          strain = green_lagrange_strain(h);
         const auto          stress = law.stress(strain);
-        scatter_stress_force(
-          data, nodes, first_piola_kirchhoff(h, stress), state.force);
+        scatter_stress_force(data,
+                             nodes,
+                             first_piola_kirchhoff(h, stress),
+                             state.force);
 
         const Simd strain_squared = contract(strain, strain);
         if (is_watched)
@@ -156,8 +161,8 @@ namespace rift
     // sigma = P F^T / J
     const std::size_t  b    = cell / batch_size;
     const unsigned int lane = cell % batch_size;
-    const auto p = first_piola_kirchhoff_stress(state, b);
-    const auto h =
+    const auto         p    = first_piola_kirchhoff_stress(state, b);
+    const auto         h =
       gradient(reference[b], topology.batches[b], state.displacement);
     const double            ratio = volume_ratio(h)[lane];
     SymmetricTensor<double> sigma{};
@@ -181,10 +186,12 @@ namespace rift
         [&](const auto &law) {
           for (std::size_t b = range.begin; b < range.end; ++b)
             {
-              const auto strain = green_lagrange_strain(gradient(
-                reference[b], topology.batches[b], state.displacement));
-              energy += .5 * reference[b].volume *
-                        contract(law.stress(strain), strain);
+              const auto strain =
+                green_lagrange_strain(gradient(reference[b],
+                                               topology.batches[b],
+                                               state.displacement));
+              energy +=
+                .5 * reference[b].volume * contract(law.stress(strain), strain);
             }
         },
         laws[range.material]);

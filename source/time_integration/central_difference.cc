@@ -12,8 +12,7 @@ namespace rift
       {
         if (!activity.is_block_awake(begin / Activity::block_size))
           continue;
-        const std::size_t end =
-          std::min(begin + Activity::block_size, n_nodes);
+        const std::size_t end = std::min(begin + Activity::block_size, n_nodes);
         for (std::size_t i = begin; i < end; ++i)
           {
             const double factor = time_step / state.mass[i];

@@ -25,10 +25,12 @@ namespace rift
                   const MaterialLimits &limits)
     {
       // Three cohesive faces meet at each corner of a loose cell.
-      const double omega = std::sqrt(
-        largest_frequency_squared(
-          reference, lane, limits.stiffness, limits.density) *
-        (1 + 3 * limits.cohesive_stiffness_factor));
+      const double omega =
+        std::sqrt(largest_frequency_squared(reference,
+                                            lane,
+                                            limits.stiffness,
+                                            limits.density) *
+                  (1 + 3 * limits.cohesive_stiffness_factor));
       if (limits.viscosity == 0)
         return 2 / omega;
       const double rate =
@@ -47,8 +49,9 @@ namespace rift
                      const ReferenceCellData           &reference,
                      const std::vector<MaterialLimits> &limits)
   {
-    CriticalTimeStep result{
-      std::numeric_limits<double>::max(), invalid_index, ""};
+    CriticalTimeStep result{std::numeric_limits<double>::max(),
+                            invalid_index,
+                            ""};
     for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
       if (!topology.is_padding(cell))
         {

@@ -15,7 +15,7 @@ namespace rift
     parse_time_step(const std::string &text)
     {
       const std::string advice =
-          "this should be auto or a number greater than zero. Units: s.";
+        "this should be auto or a number greater than zero. Units: s.";
       if (text == "auto")
         return 0;
       if (!dealii::Patterns::Double().match(text))
@@ -72,15 +72,16 @@ namespace rift
   TimeParameters::check() const
   {
     if (!(end_time > 0))
-      throw ParameterError(
-          section, "End time", "this must be greater than zero. Units: s.");
+      throw ParameterError(section,
+                           "End time",
+                           "this must be greater than zero. Units: s.");
     if (time_step > end_time)
       throw ParameterError(section,
                            "Time step",
                            "this is more than the end time, " +
-                               short_text(end_time) +
-                               " s. Is one of the two in another unit? rift "
-                               "uses s.");
+                             short_text(end_time) +
+                             " s. Is one of the two in another unit? rift "
+                             "uses s.");
     if (!(safety_factor > 0 && safety_factor <= 1))
       throw ParameterError(section,
                            "Safety factor",

@@ -38,7 +38,7 @@ namespace rift
     section(const std::string &name, const std::vector<std::string> &lines)
     {
       std::string text =
-          "$" + name + "\n" + std::to_string(lines.size()) + "\n";
+        "$" + name + "\n" + std::to_string(lines.size()) + "\n";
       for (std::size_t i = 0; i < lines.size(); ++i)
         text += std::to_string(i + 1) + " " + lines[i] + "\n";
       return text + "$End" + name + "\n";

@@ -45,8 +45,8 @@ namespace rift::test
     std::uint64_t key = 0;
     for (int bit = 19; bit >= 0; --bit)
       for (unsigned int d = 0; d < 3; ++d)
-        key = 2 * key +
-              ((static_cast<std::uint64_t>(x[d] * (1 << 20)) >> bit) & 1);
+        key =
+          2 * key + ((static_cast<std::uint64_t>(x[d] * (1 << 20)) >> bit) & 1);
     return key;
   }
 
@@ -78,8 +78,8 @@ namespace rift::test
             body.vertices.push_back(x);
           }
 
-    const unsigned int permutations[6][3] = {
-      {0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+    const unsigned int permutations[6][3] =
+      {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
     for (unsigned int k = 0; k < n[2]; ++k)
       for (unsigned int j = 0; j < n[1]; ++j)
         for (unsigned int i = 0; i < n[0]; ++i)
@@ -117,11 +117,10 @@ namespace rift::test
         centre += (.2 / size) * body.vertices[v];
       return std::make_pair(cell.material, morton_key(centre));
     };
-    std::stable_sort(body.cells.begin(),
-                     body.cells.end(),
-                     [&](const LocalCell &a, const LocalCell &b) {
-                       return key(a) < key(b);
-                     });
+    std::stable_sort(
+      body.cells.begin(),
+      body.cells.end(),
+      [&](const LocalCell &a, const LocalCell &b) { return key(a) < key(b); });
     std::vector<VertexIndex>     new_index(body.vertices.size(), invalid_index);
     std::vector<Vector3<double>> vertices;
     GlobalCellIndex              i = 0;
@@ -163,8 +162,8 @@ namespace rift::test
         batch.volume[lane]  = volume;
         for (unsigned int c = 0; c < 3; ++c)
           {
-            const auto area = cross(x[(c + 1) % 3 + 1] - x[0],
-                                    x[(c + 2) % 3 + 1] - x[0]);
+            const auto area =
+              cross(x[(c + 1) % 3 + 1] - x[0], x[(c + 2) % 3 + 1] - x[0]);
             for (unsigned int d = 0; d < 3; ++d)
               batch.gradients[c][d][lane] = area[d] / (6 * volume);
           }

@@ -9,10 +9,10 @@ namespace rift
   /** What the program returns to the shell. */
   enum class ExitCode
   {
-    done = 0,
-    input_error = 1,
-    run_error = 2,
-    disk_error = 3,
+    done              = 0,
+    input_error       = 1,
+    run_error         = 2,
+    disk_error        = 3,
     stopped_by_signal = 4
   };
 
@@ -26,7 +26,8 @@ namespace rift
     Error(const ExitCode exit_code, const std::string &message)
       : std::runtime_error(message)
       , exit_code(exit_code)
-    {}
+    {
+    }
 
     const ExitCode exit_code;
   };
@@ -37,7 +38,8 @@ namespace rift
   public:
     explicit InputError(const std::string &message)
       : Error(ExitCode::input_error, message)
-    {}
+    {
+    }
   };
 
   /** The computation has left the rails. */
@@ -46,7 +48,8 @@ namespace rift
   public:
     explicit RunError(const std::string &message)
       : Error(ExitCode::run_error, message)
-    {}
+    {
+    }
   };
 
   /** A file could not be written in full. */
@@ -55,7 +58,8 @@ namespace rift
   public:
     explicit DiskError(const std::string &message)
       : Error(ExitCode::disk_error, message)
-    {}
+    {
+    }
   };
 } // namespace rift
 

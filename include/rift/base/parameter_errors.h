@@ -22,10 +22,10 @@ namespace rift
     ParameterError(const std::string &section,
                    const std::string &name,
                    const std::string &problem)
-        : InputError(section + "/" + name + ": " + problem)
-        , section(section)
-        , name(name)
-        , problem(problem)
+      : InputError(section + "/" + name + ": " + problem)
+      , section(section)
+      , name(name)
+      , problem(problem)
     {
     }
 

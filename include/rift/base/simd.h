@@ -140,7 +140,8 @@ namespace rift
   {
     static_assert(batch_size == 8, "the shuffles below are for eight lanes");
     const auto pair = [&](const unsigned int lane) {
-      const Row low = data[nodes[lane]].row(), high = data[nodes[lane + 4]].row();
+      const Row low  = data[nodes[lane]].row(),
+                high = data[nodes[lane + 4]].row();
       return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
     };
     const Simd a = pair(0), b = pair(1), c = pair(2), d = pair(3);
@@ -149,10 +150,10 @@ namespace rift
     const Simd ab_13 = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
     const Simd cd_02 = __builtin_shufflevector(c, d, 0, 8, 2, 10, 4, 12, 6, 14);
     const Simd cd_13 = __builtin_shufflevector(c, d, 1, 9, 3, 11, 5, 13, 7, 15);
-    return {{
-      __builtin_shufflevector(ab_02, cd_02, 0, 1, 8, 9, 4, 5, 12, 13),
-      __builtin_shufflevector(ab_13, cd_13, 0, 1, 8, 9, 4, 5, 12, 13),
-      __builtin_shufflevector(ab_02, cd_02, 2, 3, 10, 11, 6, 7, 14, 15)}};
+    return {
+      {__builtin_shufflevector(ab_02, cd_02, 0, 1, 8, 9, 4, 5, 12, 13),
+       __builtin_shufflevector(ab_13, cd_13, 0, 1, 8, 9, 4, 5, 12, 13),
+       __builtin_shufflevector(ab_02, cd_02, 2, 3, 10, 11, 6, 7, 14, 15)}};
   }
 
   /** The transpose of gather(): one row (x, y, z, 0) for each lane. */
@@ -176,7 +177,7 @@ namespace rift
     std::array<Row, batch_size> result;
     for (unsigned int i = 0; i < 4; ++i)
       {
-        result[i] = __builtin_shufflevector(rows[i], rows[i], 0, 1, 2, 3);
+        result[i]     = __builtin_shufflevector(rows[i], rows[i], 0, 1, 2, 3);
         result[i + 4] = __builtin_shufflevector(rows[i], rows[i], 4, 5, 6, 7);
       }
     return result;

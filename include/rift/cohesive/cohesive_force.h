@@ -62,9 +62,14 @@ namespace rift
      * acceleration a, shared over the faces by area; to be called when all
      * other forces have been summed. Accelerations then do not jump
      * (doc/theory.md, section 5).
+     *
+     * @param prescribed_components bit d of entry i is set where component d
+     *   of node i is prescribed; empty if nothing is. Where it is prescribed
+     *   at all of the nodes, no force has held them together.
      */
     void
-    start_openings(State &state);
+    start_openings(State                           &state,
+                   const std::vector<std::uint8_t> &prescribed_components);
 
     CohesiveEnergy
     energy(const State &state) const;
@@ -89,8 +94,9 @@ namespace rift
     };
 
     PointState
-    point_state(const State &state, std::size_t index, unsigned int point)
-      const;
+    point_state(const State &state,
+                std::size_t  index,
+                unsigned int point) const;
 
   private:
     /** A corner of a face that has just parted. */
@@ -146,9 +152,10 @@ namespace rift
 
     /** Divides the bond forces of the nodes among the faces that open. */
     void
-    share_bond_forces(const State              &state,
-                      const Parting            &parting,
-                      std::vector<CornerForce> &shares) const;
+    share_bond_forces(const State                     &state,
+                      const Parting                   &parting,
+                      const std::vector<std::uint8_t> &prescribed_components,
+                      std::vector<CornerForce>        &shares) const;
 
     /** Gives the points of one face the traction that makes these forces. */
     void

@@ -29,10 +29,10 @@ namespace rift
     {
       Vector3<double> result = {{0, 0, 0}};
       for (unsigned int d = 0; d < dim; ++d)
-        result[d] = corner > 0 ? gradients[corner - 1][d][lane] :
-                                 -(gradients[0][d][lane] +
-                                   gradients[1][d][lane] +
-                                   gradients[2][d][lane]);
+        result[d] = corner > 0 ?
+                      gradients[corner - 1][d][lane] :
+                      -(gradients[0][d][lane] + gradients[1][d][lane] +
+                        gradients[2][d][lane]);
       return result;
     }
   };

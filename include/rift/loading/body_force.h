@@ -12,7 +12,8 @@ namespace rift
   public:
     explicit BodyForce(const BodyForceParameters &parameters)
       : gravity(parameters.gravity)
-    {}
+    {
+    }
 
     static bool
     is_needed(const BodyForceParameters &parameters)

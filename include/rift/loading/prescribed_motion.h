@@ -26,7 +26,8 @@ namespace rift
       BoundaryParameters parameters;
     };
 
-    PrescribedMotion(const Topology &topology, std::vector<Boundary> boundaries);
+    PrescribedMotion(const Topology       &topology,
+                     std::vector<Boundary> boundaries);
 
     static bool
     is_needed(const BoundaryParameters &parameters);
@@ -73,7 +74,7 @@ namespace rift
 
     std::vector<Condition>    conditions;
     std::vector<std::uint8_t> prescribed_components;
-    double work_until_now = 0, work_of_half_step = 0;
+    double                    work_until_now = 0, work_of_half_step = 0;
   };
 } // namespace rift
 

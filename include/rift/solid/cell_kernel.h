@@ -59,7 +59,7 @@ namespace rift
   inline Number
   contract(const SymmetricTensor<Number> &a, const SymmetricTensor<Number> &b)
   {
-    const Number diagonal    = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    const Number diagonal     = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     const Number off_diagonal = a[3] * b[3] + a[4] * b[4] + a[5] * b[5];
     return diagonal + 2. * off_diagonal;
   }
@@ -73,9 +73,9 @@ namespace rift
     Matrix3<Number> p;
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int d = 0; d < dim; ++d)
-        p[i][d] = s[voigt[i][d]] + (h[i][0] * s[voigt[0][d]] +
-                                    h[i][1] * s[voigt[1][d]] +
-                                    h[i][2] * s[voigt[2][d]]);
+        p[i][d] = s[voigt[i][d]] +
+                  (h[i][0] * s[voigt[0][d]] + h[i][1] * s[voigt[1][d]] +
+                   h[i][2] * s[voigt[2][d]]);
     return p;
   }
 

@@ -45,8 +45,8 @@ namespace rift
       has_started = true;
       now         = energies;
       input       = std::max({input,
-                        std::abs(initial + energies.loads),
-                        energies.kinetic + energies.strain});
+                              std::abs(initial + energies.loads),
+                              energies.kinetic + energies.strain});
       largest_residual =
         std::max(largest_residual, std::abs(relative_residual()));
     }

@@ -189,8 +189,8 @@ namespace rift
     traction[0] = normal - stiffness * flow.opening;
 
     // A failed point that is open will close where it was cut.
-    const auto open = (point.softening <= zero) & (flow.opening > zero) &
-                      (jump[0] > zero);
+    const auto open =
+      (point.softening <= zero) & (flow.opening > zero) & (jump[0] > zero);
     point.offset[0] = select(open, zero, point.offset[0]);
     traction[0]     = select(open, zero, traction[0]);
     return dissipation;
@@ -210,25 +210,24 @@ namespace rift
     const Number slip_slope    = point.cohesion * compliance;
 
     const auto flow_at = [&](const Number &share) {
-      return Flow<Number>{compliance *
-                    max(normal - share * point.tensile_strength, zero),
-                  compliance *
-                    max(shear - share * point.cohesion - friction, zero)};
+      return Flow<Number>{
+        compliance * max(normal - share * point.tensile_strength, zero),
+        compliance * max(shear - share * point.cohesion - friction, zero)};
     };
 
     Number share = point.softening;
     for (unsigned int iteration = 0; iteration < 3; ++iteration)
       {
-        const auto   flow    = flow_at(share);
-        const Number opening = point.opening + flow.opening * point.inverse_opening;
-        const Number slip    = point.slip + flow.slip * point.inverse_slip;
-        const Number damage  = sqrt(opening * opening + slip * slip);
-        const Number inside  = min(damage, one);
+        const auto   flow = flow_at(share);
+        const Number opening =
+          point.opening + flow.opening * point.inverse_opening;
+        const Number slip   = point.slip + flow.slip * point.inverse_slip;
+        const Number damage = sqrt(opening * opening + slip * slip);
+        const Number inside = min(damage, one);
         const Number slope =
-          -(opening *
-              select(flow.opening > zero,
-                     opening_slope * point.inverse_opening,
-                     zero) +
+          -(opening * select(flow.opening > zero,
+                             opening_slope * point.inverse_opening,
+                             zero) +
             slip *
               select(flow.slip > zero, slip_slope * point.inverse_slip, zero)) /
           max(damage, zero + 1e-300);
@@ -244,9 +243,8 @@ namespace rift
     point.opening    = select(alive,
                            point.opening + flow.opening * point.inverse_opening,
                            point.opening);
-    point.slip       = select(alive,
-                        point.slip + flow.slip * point.inverse_slip,
-                        point.slip);
+    point.slip =
+      select(alive, point.slip + flow.slip * point.inverse_slip, point.slip);
     const Number damage_squared =
       point.opening * point.opening + point.slip * point.slip;
     point.softening = select(damage_squared >= one, zero, share);
