@@ -33,8 +33,8 @@ namespace rift
       f(a.opening, b.opening);
       f(a.slip, b.slip);
       f(a.softening, b.softening);
-      f(a.tensile_strength, b.tensile_strength);
-      f(a.cohesion, b.cohesion);
+      f(a.normal_excess, b.normal_excess);
+      f(a.shear_excess, b.shear_excess);
       f(a.inverse_opening, b.inverse_opening);
       f(a.inverse_slip, b.inverse_slip);
     }

@@ -11,13 +11,13 @@ namespace rift
                                const FaceStrengths         &strengths,
                                std::vector<StiffnessMatrix> stiffnesses,
                                std::vector<double>          densities,
-                               const double                 stiffness_factor)
+                               const double                 largest_time_step)
     : topology(topology)
     , reference(reference)
     , strengths(strengths)
     , stiffnesses(std::move(stiffnesses))
     , densities(std::move(densities))
-    , stiffness_factor(stiffness_factor)
+    , largest_time_step(largest_time_step)
     , index_of_face(topology.faces.size(), invalid_index)
   {
   }
@@ -65,9 +65,8 @@ namespace rift
           {
             Vector3<Simd> traction;
             const auto    dissipation = law.update(batch.points[q],
+                                                batch.constants,
                                                 jump_at(now, q),
-                                                batch.stiffness,
-                                                batch.tan_friction_angle,
                                                 traction);
             const Simd    area        = quadrature.weight[q] * batch.area;
             batch.fracture += area * dissipation.fracture;
@@ -130,9 +129,9 @@ namespace rift
         for (unsigned int q = 0; q < n_face_points; ++q)
           {
             const auto t =
-              traction_at(batch.points[q], jump_at(now, q), batch.stiffness);
+              traction_at(batch.points[q], batch.constants, jump_at(now, q));
             recoverable += (.5 * quadrature.weight[q]) * batch.area *
-                           dot(t, t) / batch.stiffness;
+                           dot(t, t) / batch.constants.stiffness;
           }
         fracture += batch.fracture;
         friction += batch.friction;
@@ -163,12 +162,14 @@ namespace rift
     const CohesiveBatch &batch = cohesive_faces.batches[index / batch_size];
     const unsigned int   lane  = index % batch_size;
     const auto           jump  = jump_at(kinematics(state, batch), point);
-    PointState           result;
+    const auto           traction =
+      traction_at(batch.points[point], batch.constants, jump);
+    PointState result;
     for (unsigned int d = 0; d < dim; ++d)
-      result.jump[d] = jump[d][lane];
-    result.traction = traction_at(get_point(batch, point, lane),
-                                  result.jump,
-                                  batch.stiffness[lane]);
+      {
+        result.jump[d]     = jump[d][lane];
+        result.traction[d] = traction[d][lane];
+      }
     return result;
   }
 } // namespace rift

@@ -101,7 +101,8 @@ namespace rift
       {
         // Lanes without a face are triangles of no area that never open.
         CohesiveBatch empty{};
-        empty.edges[0][0] = empty.edges[1][1] = empty.stiffness = broadcast(1);
+        empty.edges[0][0] = empty.edges[1][1] = broadcast(1);
+        empty.constants.stiffness = broadcast(1);
         for (auto &point : empty.points)
           point.softening = broadcast(1);
         cohesive_faces.batches.push_back(empty);
@@ -126,12 +127,15 @@ namespace rift
         for (unsigned int d = 0; d < dim; ++d)
           batch.edges[e][d][lane] = edges[e][d];
       }
-    const double       area        = .5 * norm(cross(edges[0], edges[1]));
-    const double       slope       = elastic_slope(index, area);
-    const FaceStrength strength    = strengths.strength(index);
-    batch.area[lane]               = area;
-    batch.stiffness[lane]          = slope;
-    batch.tan_friction_angle[lane] = strength.tan_friction_angle;
+    const double             area      = .5 * norm(cross(edges[0], edges[1]));
+    const double             slope     = elastic_slope(index, area);
+    const FaceStrength       strength  = strengths.strength(index);
+    CohesiveConstants<Simd> &constants = batch.constants;
+    batch.area[lane]                   = area;
+    constants.stiffness[lane]          = slope;
+    constants.tensile_strength[lane]   = strength.tensile_strength;
+    constants.cohesion[lane]           = strength.cohesion;
+    constants.tan_friction_angle[lane] = strength.tan_friction_angle;
     for (unsigned int q = 0; q < n_face_points; ++q)
       set_point(batch, q, lane, make_cohesive_point(strength, slope));
     batch.n_faces = lane + 1;
@@ -141,9 +145,11 @@ namespace rift
   CohesiveForce::elastic_slope(const FaceIndex index, const double area) const
   {
     // A corner of mass m moves against the face with a stiffness of
-    // k area / 3 on either side, hence omega^2 = 2 k area / (3 m).
-    const Face &face  = topology.faces[index];
-    double      limit = std::numeric_limits<double>::max();
+    // k area / 3 on either side, hence omega^2 = 2 k area / (3 m). Three such
+    // faces at a corner take what the cell itself leaves of 4 / dt^2.
+    const Face  &face     = topology.faces[index];
+    const double limit    = 4 / (largest_time_step * largest_time_step);
+    double       smallest = std::numeric_limits<double>::max();
     for (const CellIndex cell : face.cells)
       {
         const auto  &batch    = reference[cell / batch_size];
@@ -151,13 +157,11 @@ namespace rift
         const auto   material = topology.material(cell);
         const double mass =
           densities[material] * batch.volume[lane] / n_corners;
-        limit = std::min(limit,
-                         mass * largest_frequency_squared(batch,
-                                                          lane,
-                                                          stiffnesses[material],
-                                                          densities[material]));
+        const double of_cell = largest_frequency_squared(
+          batch, lane, stiffnesses[material], densities[material]);
+        smallest = std::min(smallest, mass * (limit - of_cell) / 3);
       }
-    return stiffness_factor * limit * 1.5 / area;
+    return 1.5 * smallest / area;
   }
 
   void
@@ -313,12 +317,13 @@ namespace rift
           jump[d] = jumps[d][lane];
 
         auto         point  = get_point(batch, q, lane);
-        const double slope  = batch.stiffness[lane];
+        const double slope  = batch.constants.stiffness[lane];
+        const auto   constants = make_constants(strength, slope);
         const double weight = quadrature.weight[q] * area;
-        const auto   before = traction_at(point, jump, slope);
+        const auto   before = traction_at(point, constants, jump);
         batch.initial[lane] +=
           weight * hold_traction(point, jump, more, strength, slope);
-        const auto gained = traction_at(point, jump, slope) - before;
+        const auto gained = traction_at(point, constants, jump) - before;
         for (unsigned int c = 0; c < 3; ++c)
           held[c] += (weight * quadrature.shape[q][c]) * gained;
         set_point(batch, q, lane, point);

@@ -38,8 +38,7 @@ namespace rift
     std::array<Vector3<Simd>, 2> edges;
     Simd                         area;
 
-    /** Slope of the elastic branch, Pa/m, and tan of the friction angle. */
-    Simd stiffness, tan_friction_angle;
+    CohesiveConstants<Simd> constants;
 
     std::array<CohesivePoint<Simd>, n_face_points> points;
 

@@ -33,16 +33,16 @@ namespace rift
   {
   public:
     /**
-     * @param stiffnesses, densities of each material, for the slope of the
-     *   elastic branch: a face adds to the largest frequency of the cells
-     *   beside it no more than CohesiveParameters::stiffness_factor says.
+     * @param stiffnesses, densities of each material, and
+     * @param largest_time_step at which the elastic branches must be stable,
+     *   s: they are as stiff as that allows.
      */
     CohesiveForce(Topology                    &topology,
                   const ReferenceCellData     &reference,
                   const FaceStrengths         &strengths,
                   std::vector<StiffnessMatrix> stiffnesses,
                   std::vector<double>          densities,
-                  double                       stiffness_factor);
+                  double                       largest_time_step);
 
     /**
      * Takes in what a split has changed: the nodes of the faces around the
@@ -169,7 +169,7 @@ namespace rift
     const FaceStrengths               &strengths;
     const std::vector<StiffnessMatrix> stiffnesses;
     const std::vector<double>          densities;
-    const double                       stiffness_factor;
+    const double                       largest_time_step;
     const FaceQuadrature               quadrature;
     const MohrCoulomb                  law;
 

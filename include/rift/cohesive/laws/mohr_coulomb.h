@@ -34,11 +34,21 @@ namespace rift
     /** f(D): the share of the strength that is left, 1 to 0. */
     Number softening;
 
-    /** Peak of the envelope in tension and in shear without friction, Pa. */
-    Number tensile_strength, cohesion;
+    /** Traction above the strength that is still held, Pa: normal, shear. */
+    Number normal_excess, shear_excess;
 
     /** One over the opening and the slip of full separation, 1/m. */
     Number inverse_opening, inverse_slip;
+  };
+
+  /** What all Gauss points of a face have in common. */
+  template <typename Number>
+  struct CohesiveConstants
+  {
+    /** Slope of the elastic branch, Pa/m. */
+    Number stiffness;
+
+    Number tensile_strength, cohesion, tan_friction_angle;
   };
 
   /** Energy per area that one update has used up, J/m^2. */
@@ -54,13 +64,16 @@ namespace rift
    * fade with damage (doc/theory.md, section 4).
    *
    * The traction is elastic, t = k (jump - offset), inside of the envelope
-   *   t_n <= f(D) T,   |t_s| <= f(D) C + tan(phi) <-t_n>,
+   *   t_n <= f(D) T + e_n,   |t_s| <= f(D) C + e_s + tan(phi) <-t_n>,
    *   D = sqrt(opening^2 + slip^2),
    * and the part of the jump that would leave the envelope goes into the
    * offset, irreversibly: unloading and reloading follow the slope k, which is
    * also the penalty against overlap. The stiffness thus never changes where
    * the traction changes its sign, which is what injects energy in laws that
    * unload to the origin. Once D = 1 the face closes where it was cut.
+   *
+   * The excess e is what nodes transmitted above the strength when they were
+   * parted (hold_traction()); it falls with the slope `excess_slope` times k.
    *
    * `Number` is double or Simd.
    */
@@ -71,23 +84,24 @@ namespace rift
      * Least separation over the jump at which the elastic branch peaks; any
      * shorter and the softening would snap back.
      */
-    static constexpr double shortest_separation = 3;
+    static constexpr double shortest_separation = 4.5;
+
+    /** Decline of the excess with the irreversible jump, over k. */
+    static constexpr double excess_slope = 1. / 3.;
 
     /**
      * Moves a point to a new jump.
      *
      * @param jump opening and slips, m.
-     * @param stiffness k, Pa/m.
      * @param[out] traction on the minus side, Pa; positive opening is pulled
      *   back.
      */
     template <typename Number>
     Dissipation<Number>
-    update(CohesivePoint<Number> &point,
-           const Vector3<Number> &jump,
-           const Number          &stiffness,
-           const Number          &tan_friction,
-           Vector3<Number>       &traction) const;
+    update(CohesivePoint<Number>           &point,
+           const CohesiveConstants<Number> &constants,
+           const Vector3<Number>           &jump,
+           Vector3<Number>                 &traction) const;
 
   private:
     /** Irreversible opening and slip of one update, m. */
@@ -95,7 +109,23 @@ namespace rift
     struct Flow
     {
       Number opening, slip;
+
+      /** Their derivatives by -f(D), m. */
+      Number opening_rate, slip_rate;
     };
+
+    /**
+     * Irreversible jumps that bring a trial traction back to the envelope at a
+     * given softening.
+     */
+    template <typename Number>
+    static Flow<Number>
+    flow_at(const CohesivePoint<Number>     &point,
+            const CohesiveConstants<Number> &constants,
+            const Number                    &softening,
+            const Number                    &normal,
+            const Number                    &shear,
+            const Number                    &friction);
 
     /**
      * Finds the softening at which the irreversible jumps that it implies
@@ -104,41 +134,43 @@ namespace rift
      */
     template <typename Number>
     Flow<Number>
-    soften(CohesivePoint<Number> &point,
-           const Number          &normal,
-           const Number          &shear,
-           const Number          &friction,
-           const Number          &stiffness) const;
+    soften(CohesivePoint<Number>           &point,
+           const CohesiveConstants<Number> &constants,
+           const Number                    &normal,
+           const Number                    &shear,
+           const Number                    &friction) const;
 
     Softening softening;
   };
 
-  /** A point that has not opened, with an elastic branch of slope `stiffness`,
-   * Pa/m. */
+  /** What the points of a face have in common, for a slope in Pa/m. */
+  CohesiveConstants<double>
+  make_constants(const FaceStrength &strength, double stiffness);
+
+  /** A point that has not opened. */
   CohesivePoint<double>
   make_cohesive_point(const FaceStrength &strength, double stiffness);
 
   /** Traction of a point at the jump to which it was last updated, Pa. */
   template <typename Number>
   inline Vector3<Number>
-  traction_at(const CohesivePoint<Number> &point,
-              const Vector3<Number>       &jump,
-              const Number                &stiffness)
+  traction_at(const CohesivePoint<Number>     &point,
+              const CohesiveConstants<Number> &constants,
+              const Vector3<Number>           &jump)
   {
-    Vector3<Number> t = stiffness * (jump - point.offset);
-    t[0]              = min(t[0], point.softening * point.tensile_strength);
+    Vector3<Number> t = constants.stiffness * (jump - point.offset);
+    t[0]              = min(t[0],
+               point.softening * constants.tensile_strength +
+                 point.normal_excess);
     return t;
   }
 
   /**
    * Gives a point, at the jump to which it was last updated, more traction:
    * the force that held two nodes together until now passes to the face, so
-   * that the start is continuous in time (doc/theory.md, section 5). Strengths
-   * are raised where the traction is above them, and separations adapted so
-   * that the energy drawn from the body remains the fracture energy.
-   *
-   * A point with less than a tenth of its strength left is not raised: there
-   * the traction is cut at the envelope.
+   * that the start is continuous in time (doc/theory.md, section 5). What is
+   * above the strength becomes excess. Separations are adapted so that the
+   * energy drawn from the body remains the fracture energy.
    *
    * @return energy per area in the elastic branch that comes with the
    *   traction, J/m^2.
@@ -152,31 +184,36 @@ namespace rift
 
   template <typename Number>
   Dissipation<Number>
-  MohrCoulomb::update(CohesivePoint<Number> &point,
-                      const Vector3<Number> &jump,
-                      const Number          &stiffness,
-                      const Number          &tan_friction,
-                      Vector3<Number>       &traction) const
+  MohrCoulomb::update(CohesivePoint<Number>           &point,
+                      const CohesiveConstants<Number> &constants,
+                      const Vector3<Number>           &jump,
+                      Vector3<Number>                 &traction) const
   {
     const Number zero{};
-    traction              = stiffness * (jump - point.offset);
+    traction              = constants.stiffness * (jump - point.offset);
     const Number normal   = traction[0];
-    const Number friction = tan_friction * max(-normal, zero);
+    const Number friction = constants.tan_friction_angle * max(-normal, zero);
     const Number shear =
       sqrt(traction[1] * traction[1] + traction[2] * traction[2]);
-    const Number old_softening = point.softening;
-    if (!any((normal > old_softening * point.tensile_strength) |
-             (shear > old_softening * point.cohesion + friction)))
+    const Number normal_limit =
+      point.softening * constants.tensile_strength + point.normal_excess;
+    const Number shear_limit =
+      point.softening * constants.cohesion + point.shear_excess;
+    if (!any((normal > normal_limit) | (shear > shear_limit + friction)))
       return {zero, zero};
 
-    const auto flow = soften(point, normal, shear, friction, stiffness);
+    const auto flow = soften(point, constants, normal, shear, friction);
 
     // Mean of the envelope before and after: the work of the trapezoidal rule
     // that the central differences do.
-    const Number        mean = .5 * (old_softening + point.softening);
+    const Number new_normal_limit =
+      point.softening * constants.tensile_strength + point.normal_excess;
+    const Number new_shear_limit =
+      point.softening * constants.cohesion + point.shear_excess;
     Dissipation<Number> dissipation;
-    dissipation.fracture = mean * (point.tensile_strength * flow.opening +
-                                   point.cohesion * flow.slip);
+    dissipation.fracture =
+      .5 * ((normal_limit + new_normal_limit) * flow.opening +
+            (shear_limit + new_shear_limit) * flow.slip);
     dissipation.friction = friction * flow.slip;
 
     const Number slip_share = flow.slip / max(shear, zero + 1e-300);
@@ -184,13 +221,15 @@ namespace rift
     for (unsigned int d = 1; d < 3; ++d)
       {
         point.offset[d] = point.offset[d] + slip_share * traction[d];
-        traction[d]     = traction[d] - stiffness * slip_share * traction[d];
+        traction[d] =
+          traction[d] - constants.stiffness * slip_share * traction[d];
       }
-    traction[0] = normal - stiffness * flow.opening;
+    traction[0] = normal - constants.stiffness * flow.opening;
 
     // A failed point that is open will close where it was cut.
-    const auto open =
-      (point.softening <= zero) & (flow.opening > zero) & (jump[0] > zero);
+    const auto open = (point.softening <= zero) &
+                      (point.normal_excess <= zero) & (flow.opening > zero) &
+                      (jump[0] > zero);
     point.offset[0] = select(open, zero, point.offset[0]);
     traction[0]     = select(open, zero, traction[0]);
     return dissipation;
@@ -198,56 +237,89 @@ namespace rift
 
   template <typename Number>
   MohrCoulomb::Flow<Number>
-  MohrCoulomb::soften(CohesivePoint<Number> &point,
-                      const Number          &normal,
-                      const Number          &shear,
-                      const Number          &friction,
-                      const Number          &stiffness) const
+  MohrCoulomb::flow_at(const CohesivePoint<Number>     &point,
+                       const CohesiveConstants<Number> &constants,
+                       const Number                    &softening,
+                       const Number                    &normal,
+                       const Number                    &shear,
+                       const Number                    &friction)
+  {
+    const Number     zero{};
+    const Number     compliance = 1. / constants.stiffness;
+    constexpr double steepening = 1 / (1 - excess_slope);
+
+    // While some excess is left it falls with the flow; the smaller flow is
+    // that of the two cases that holds.
+    const auto flow = [&](const Number &over, const Number &excess) {
+      const Number with_excess = steepening * compliance * (over - excess);
+      const Number without     = compliance * over;
+      return min(with_excess, without);
+    };
+    const Number over_normal = normal - softening * constants.tensile_strength;
+    const Number over_shear  = shear - softening * constants.cohesion - friction;
+    Flow<Number> result;
+    result.opening = max(flow(over_normal, point.normal_excess), zero);
+    result.slip    = max(flow(over_shear, point.shear_excess), zero);
+    const auto rate = [&](const Number &jump, const Number &over) {
+      return select(jump > zero,
+                    select(jump < compliance * over,
+                           zero + steepening,
+                           zero + 1.),
+                    zero) *
+             compliance;
+    };
+    result.opening_rate =
+      rate(result.opening, over_normal) * constants.tensile_strength;
+    result.slip_rate = rate(result.slip, over_shear) * constants.cohesion;
+    return result;
+  }
+
+  template <typename Number>
+  MohrCoulomb::Flow<Number>
+  MohrCoulomb::soften(CohesivePoint<Number>           &point,
+                      const CohesiveConstants<Number> &constants,
+                      const Number                    &normal,
+                      const Number                    &shear,
+                      const Number                    &friction) const
   {
     const Number zero{}, one = zero + 1.;
-    const Number compliance    = 1. / stiffness;
-    const Number opening_slope = point.tensile_strength * compliance;
-    const Number slip_slope    = point.cohesion * compliance;
-
-    const auto flow_at = [&](const Number &share) {
-      return Flow<Number>{
-        compliance * max(normal - share * point.tensile_strength, zero),
-        compliance * max(shear - share * point.cohesion - friction, zero)};
-    };
 
     Number share = point.softening;
     for (unsigned int iteration = 0; iteration < 3; ++iteration)
       {
-        const auto   flow = flow_at(share);
+        const auto flow =
+          flow_at(point, constants, share, normal, shear, friction);
         const Number opening =
           point.opening + flow.opening * point.inverse_opening;
         const Number slip   = point.slip + flow.slip * point.inverse_slip;
         const Number damage = sqrt(opening * opening + slip * slip);
         const Number inside = min(damage, one);
-        const Number slope =
-          -(opening * select(flow.opening > zero,
-                             opening_slope * point.inverse_opening,
-                             zero) +
-            slip *
-              select(flow.slip > zero, slip_slope * point.inverse_slip, zero)) /
+        const Number damage_rate =
+          (opening * flow.opening_rate * point.inverse_opening +
+           slip * flow.slip_rate * point.inverse_slip) /
           max(damage, zero + 1e-300);
         const Number residual = share - softening.value(inside);
-        const Number gain =
-          select(damage < one, softening.slope(inside) * slope, zero);
+        const Number gain     = select(
+          damage < one, -softening.slope(inside) * damage_rate, zero);
         share = share - residual / (1. - gain);
         share = max(min(share, point.softening), zero);
       }
 
-    const auto flow  = flow_at(share);
+    const auto flow = flow_at(point, constants, share, normal, shear, friction);
     const auto alive = point.softening > zero;
-    point.opening    = select(alive,
-                           point.opening + flow.opening * point.inverse_opening,
-                           point.opening);
-    point.slip =
-      select(alive, point.slip + flow.slip * point.inverse_slip, point.slip);
+    point.opening =
+      select(alive,
+             point.opening + flow.opening * point.inverse_opening,
+             point.opening);
+    point.slip = select(alive,
+                        point.slip + flow.slip * point.inverse_slip,
+                        point.slip);
     const Number damage_squared =
       point.opening * point.opening + point.slip * point.slip;
-    point.softening = select(damage_squared >= one, zero, share);
+    point.softening     = select(damage_squared >= one, zero, share);
+    const Number fall   = excess_slope * constants.stiffness;
+    point.normal_excess = max(point.normal_excess - fall * flow.opening, zero);
+    point.shear_excess  = max(point.shear_excess - fall * flow.slip, zero);
     return flow;
   }
 } // namespace rift

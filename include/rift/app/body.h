@@ -1,0 +1,35 @@
+#ifndef rift_app_body_h
+#define rift_app_body_h
+
+#include <rift/app/parameters.h>
+#include <rift/discretization/discretization.h>
+#include <rift/io/log.h>
+#include <rift/mesh/surface.h>
+
+#include <map>
+
+namespace rift
+{
+  /** The body of a scene, meshed and discretised, with its names. */
+  struct Body
+  {
+    Discretization discretization;
+
+    /** By material index of the mesh. */
+    std::vector<MaterialParameters> materials;
+
+    /** The named surfaces of the body. */
+    std::map<std::string, Surface> surfaces;
+  };
+
+  /**
+   * Reads or makes the mesh, checks it, and fits it together with what the
+   * .prm says of its materials and boundaries.
+   *
+   * @throws InputError for a bad mesh and for names that do not match.
+   */
+  Body
+  make_body(const Parameters &parameters, Log &log);
+} // namespace rift
+
+#endif

@@ -1,0 +1,86 @@
+#ifndef rift_app_results_h
+#define rift_app_results_h
+
+#include <rift/app/body.h>
+#include <rift/base/stage_timer.h>
+#include <rift/cohesive/cohesive_force.h>
+#include <rift/io/probes.h>
+#include <rift/io/summary.h>
+#include <rift/io/vtu_output.h>
+#include <rift/solid/internal_force.h>
+#include <rift/time_integration/energy_ledger.h>
+
+#include <optional>
+
+namespace rift
+{
+  /** What results are made from, at one time t_n. */
+  struct Snapshot
+  {
+    const Body          &body;
+    const InternalForce &internal_force;
+
+    /** Null without a cohesive model. */
+    const CohesiveForce *cohesive_force;
+
+    const EnergyLedger &ledger;
+    double              time_step;
+  };
+
+  /**
+   * The files of a run. Each is written when it is due, none that was not
+   * asked for.
+   */
+  class Results
+  {
+  public:
+    /** Makes the output directory ready and writes parameters.prm. */
+    Results(const Parameters &parameters, const Body &body, Log &log);
+
+    /** Whether a row of the histories is due at this time. */
+    bool
+    is_history_due(double time, double time_step) const;
+
+    /** Whether a state for ParaView is due at this time. */
+    bool
+    is_solution_due(double time, double time_step) const;
+
+    /** Adds a row to energy.csv and probes.csv. */
+    void
+    write_history(const Snapshot &snapshot);
+
+    /** Adds a state to solid.pvd and fracture.pvd. */
+    void
+    write_solution(const Snapshot &snapshot);
+
+    /** Writes what has been collected but not yet written. */
+    void
+    flush();
+
+    /**
+     * Writes fragments.csv and summary.json.
+     *
+     * @param summary with what the snapshot does not tell.
+     */
+    void
+    finish(const Snapshot &snapshot, Summary summary);
+
+  private:
+    std::string
+    path(const std::string &file) const
+    {
+      return directory + "/" + file;
+    }
+
+    const std::string directory;
+    const double      solution_interval, history_interval;
+    std::uint64_t     n_solutions = 0, n_rows = 0;
+    const std::size_t initial_nodes;
+
+    std::vector<Probe>            probes;
+    std::optional<HistoryFile>    probes_file, energy_file;
+    std::optional<SolutionSeries> solid, fracture;
+  };
+} // namespace rift
+
+#endif

@@ -1,0 +1,157 @@
+#ifndef rift_app_simulation_h
+#define rift_app_simulation_h
+
+#include <rift/app/body.h>
+#include <rift/app/parameters.h>
+#include <rift/app/results.h>
+#include <rift/base/stage_timer.h>
+#include <rift/cohesive/cohesive_force.h>
+#include <rift/cohesive/insertion.h>
+#include <rift/loading/body_force.h>
+#include <rift/loading/prescribed_motion.h>
+#include <rift/loading/surface_load.h>
+#include <rift/solid/damping.h>
+#include <rift/time_integration/critical_time_step.h>
+#include <rift/time_integration/energy_ledger.h>
+
+#include <optional>
+
+namespace rift
+{
+  /**
+   * A scene in motion: the body, the modules that act on it and the loop over
+   * the steps. Modules that the scene does not need are not constructed.
+   */
+  class Simulation
+  {
+  public:
+    /**
+     * Makes everything ready for the first step.
+     *
+     * @param log must outlive this object.
+     */
+    Simulation(const Parameters &parameters, Log &log);
+
+    /** Computes all steps and writes the results. */
+    void
+    run();
+
+    /**
+     * Goes from t_n to t_(n+1); the last call stops before the kick, at the
+     * end time.
+     */
+    void
+    step();
+
+    // What tests look at.
+    const Topology &
+    topology() const
+    {
+      return body.discretization.topology;
+    }
+
+    const State &
+    state() const
+    {
+      return body.discretization.state;
+    }
+
+    const EnergyLedger &
+    energy_ledger() const
+    {
+      return ledger;
+    }
+
+    double
+    time_step() const
+    {
+      return dt;
+    }
+
+    std::uint64_t
+    n_steps() const
+    {
+      return last_step;
+    }
+
+  private:
+    /** All that inserts cohesive elements; absent without such a model. */
+    struct Fracture
+    {
+      Fracture(Topology                              &topology,
+               const ReferenceCellData               &reference,
+               const InternalForce                   &internal_force,
+               const std::vector<MaterialParameters> &materials,
+               const CohesiveParameters              &parameters,
+               const std::vector<StiffnessMatrix>    &stiffnesses,
+               const std::vector<double>             &densities,
+               const double                           largest_time_step)
+        : strengths(topology, materials, parameters)
+        , insertion(topology, reference, internal_force, strengths)
+        , force(topology,
+                reference,
+                strengths,
+                stiffnesses,
+                densities,
+                largest_time_step)
+      {}
+
+      FaceStrengths strengths;
+      Insertion     insertion;
+      CohesiveForce force;
+      std::size_t   n_inserted = 0;
+    };
+
+    void
+    make_modules();
+
+    void
+    choose_time_step();
+
+    void
+    split_at(const std::vector<FaceIndex> &faces);
+
+    void
+    count_work();
+
+    /** Enters the energies at t_n into the ledger and judges the residual. */
+    void
+    balance_energy();
+
+    void
+    write_due_results();
+
+    [[noreturn]] void
+    stop_unstable(const FailedCell &failed) const;
+
+    /** "step 12, t = 1e-6 s, time step 0.9 times its safe bound" */
+    std::string
+    moment_text() const;
+
+    Snapshot
+    snapshot() const;
+
+    StageTimer       timer;
+    const Parameters parameters;
+    Log             &log;
+    Body             body;
+
+    std::vector<double>      densities;
+    std::vector<Elasticity>  laws;
+    InternalForce            internal_force;
+    Activity                 activity;
+    std::optional<Fracture>  fracture;
+    std::optional<Damping>   damping;
+    std::vector<SurfaceLoad> surface_loads;
+    std::optional<BodyForce> body_force;
+    std::optional<PrescribedMotion> prescribed_motion;
+
+    CriticalTimeStep critical{};
+    double           dt        = 0;
+    std::uint64_t    last_step = 0;
+    EnergyLedger     ledger;
+    Results          results;
+  };
+} // namespace rift
+
+#endif

@@ -1,0 +1,136 @@
+#include <rift/app/body.h>
+#include <rift/base/exceptions.h>
+#include <rift/base/parameter_text.h>
+#include <rift/discretization/discretize.h>
+#include <rift/mesh/cell_ordering.h>
+#include <rift/mesh/gmsh_reader.h>
+#include <rift/mesh/mesh_checks.h>
+#include <rift/mesh/triangulation.h>
+
+#include <algorithm>
+
+namespace rift
+{
+  namespace
+  {
+    template <typename Named>
+    std::vector<std::string>
+    names_of(const std::vector<Named> &list)
+    {
+      std::vector<std::string> names;
+      for (const Named &entry : list)
+        names.push_back(entry.name);
+      return names;
+    }
+
+    bool
+    contains(const std::vector<std::string> &list, const std::string &name)
+    {
+      return std::find(list.begin(), list.end(), name) != list.end();
+    }
+
+    /** That the .prm and the mesh speak of the same materials. */
+    void
+    check_materials(const Parameters &parameters, const MeshData &mesh)
+    {
+      const auto known = names_of(parameters.materials);
+      for (const std::string &name : mesh.material_names)
+        if (!contains(known, name))
+          throw InputError("the mesh " + mesh.source + " has the material \"" +
+                           name + "\", but the scene has no subsection \"Material " +
+                           name + "\"." + suggestion(name, known) +
+                           " Add the subsection, or rename the physical volume.");
+      for (const std::string &name : known)
+        if (!contains(mesh.material_names, name))
+          throw InputError("subsection \"Material " + name +
+                           "\" belongs to no physical volume of the mesh " +
+                           mesh.source + "." +
+                           suggestion(name, mesh.material_names));
+    }
+
+    /** That a surface that the .prm speaks of exists. */
+    void
+    check_boundary(const std::string &name,
+                   const std::string &subsection,
+                   const MeshData    &mesh)
+    {
+      std::vector<std::string> outer;
+      for (const NamedFace &face : mesh.boundary_faces)
+        if (!contains(outer, mesh.surface_names[face.name]))
+          outer.push_back(mesh.surface_names[face.name]);
+      if (!contains(outer, name))
+        throw InputError("subsection \"" + subsection +
+                         "\" speaks of the boundary \"" + name +
+                         "\", which the mesh " + mesh.source +
+                         " does not have." + suggestion(name, outer));
+    }
+
+    MeshData
+    make_mesh(const Parameters &parameters)
+    {
+      MeshData mesh = read_mesh(parameters.mesh);
+      check_mesh(mesh);
+      check_materials(parameters, mesh);
+      for (const BoundaryParameters &boundary : parameters.boundaries)
+        check_boundary(boundary.name, "Boundary " + boundary.name, mesh);
+      for (const ProbeParameters &probe : parameters.probes)
+        if (!probe.boundary.empty())
+          check_boundary(probe.boundary, "Probe " + probe.name, mesh);
+      order_cells(mesh);
+      return mesh;
+    }
+
+    /** Velocities at the start: of each cell's material, weighted by mass. */
+    void
+    set_initial_velocity(Body &body)
+    {
+      auto &[topology, reference, state] = body.discretization;
+      for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
+        {
+          const auto &material = body.materials[topology.material(cell)];
+          const Vector3<double> v = material.initial_velocity;
+          if (topology.is_padding(cell) || dot(v, v) == 0)
+            continue;
+          const double corner_mass =
+            material.density *
+            reference[cell / batch_size].volume[cell % batch_size] / n_corners;
+          for (unsigned int c = 0; c < n_corners; ++c)
+            {
+              const NodeIndex node = topology.node(cell, c);
+              for (unsigned int d = 0; d < dim; ++d)
+                state.velocity[node][d] +=
+                  corner_mass / state.mass[node] * v[d];
+            }
+        }
+    }
+  } // namespace
+
+  Body
+  make_body(const Parameters &parameters, Log &log)
+  {
+    const MeshData mesh = make_mesh(parameters);
+    Body           body{{Topology({}, 0), {}, {}}, {}, {}};
+    for (const std::string &name : mesh.material_names)
+      for (const MaterialParameters &material : parameters.materials)
+        if (material.name == name)
+          body.materials.push_back(material);
+
+    std::vector<double> densities;
+    for (const MaterialParameters &material : body.materials)
+      densities.push_back(material.density);
+    body.discretization =
+      discretize(*make_triangulation(mesh, MPI_COMM_WORLD), densities);
+    for (std::size_t i = 0; i < mesh.surface_names.size(); ++i)
+      body.surfaces[mesh.surface_names[i]] =
+        find_surface(body.discretization.topology,
+                     mesh.boundary_faces,
+                     static_cast<std::uint16_t>(i));
+    set_initial_velocity(body);
+    log.write("Mesh " + mesh.source + ": " +
+              std::to_string(body.discretization.topology.n_cells()) +
+              " cells, " +
+              std::to_string(body.discretization.topology.n_nodes()) +
+              " nodes");
+    return body;
+  }
+} // namespace rift

@@ -1,0 +1,355 @@
+#include <rift/app/run.h>
+#include <rift/app/simulation.h>
+#include <rift/base/exceptions.h>
+#include <rift/base/floating_point.h>
+#include <rift/base/number_text.h>
+#include <rift/io/progress.h>
+#include <rift/time_integration/central_difference.h>
+
+#include <cmath>
+#include <iostream>
+
+namespace rift
+{
+  namespace
+  {
+    /** Number of steps between two looks at the balance of energy. */
+    constexpr std::uint64_t balance_interval = 100;
+
+    std::vector<double>
+    densities_of(const std::vector<MaterialParameters> &materials)
+    {
+      std::vector<double> densities;
+      for (const MaterialParameters &material : materials)
+        densities.push_back(material.density);
+      return densities;
+    }
+
+    std::vector<Elasticity>
+    laws_of(const std::vector<MaterialParameters> &materials)
+    {
+      std::vector<Elasticity> laws;
+      for (const MaterialParameters &material : materials)
+        laws.push_back(make_elasticity(material));
+      return laws;
+    }
+  } // namespace
+
+  Simulation::Simulation(const Parameters &parameters, Log &log)
+    : parameters(parameters)
+    , log(log)
+    , body(make_body(parameters, log))
+    , densities(densities_of(body.materials))
+    , laws(laws_of(body.materials))
+    , internal_force(body.discretization.topology,
+                     body.discretization.reference,
+                     laws)
+    , activity(body.discretization.topology)
+    , results(parameters, body, log)
+  {
+    choose_time_step();
+    make_modules();
+    timer.stop("setup");
+  }
+
+  void
+  Simulation::make_modules()
+  {
+    auto &[topology, reference, state] = body.discretization;
+
+    bool   moves_from_start = BodyForce::is_needed(parameters.body_force);
+    double viscosity        = 0;
+    std::vector<double>          viscosities;
+    std::vector<StiffnessMatrix> stiffnesses;
+    for (std::size_t i = 0; i < body.materials.size(); ++i)
+      {
+        const MaterialParameters &material = body.materials[i];
+        const Vector3<double>    &v        = material.initial_velocity;
+        moves_from_start |= dot(v, v) > 0;
+        viscosity = std::max(viscosity, material.viscosity);
+        viscosities.push_back(material.viscosity);
+        stiffnesses.push_back(stiffness_matrix(laws[i]));
+      }
+
+    if (parameters.cohesive.model != CohesiveParameters::Model::none)
+      {
+        fracture.emplace(topology,
+                         reference,
+                         internal_force,
+                         body.materials,
+                         parameters.cohesive,
+                         stiffnesses,
+                         densities,
+                         critical.time_step);
+        internal_force.watch(fracture->strengths.stress_bounds());
+      }
+    if (viscosity > 0)
+      damping.emplace(topology, reference, viscosities);
+
+    std::vector<PrescribedMotion::Boundary> moved;
+    for (const BoundaryParameters &boundary : parameters.boundaries)
+      {
+        const Surface &surface = body.surfaces.at(boundary.name);
+        if (SurfaceLoad::is_needed(boundary))
+          surface_loads.emplace_back(topology, surface, boundary);
+        if (PrescribedMotion::is_needed(boundary))
+          moved.push_back({surface, boundary});
+      }
+    if (!moved.empty())
+      prescribed_motion.emplace(topology, moved);
+    if (BodyForce::is_needed(parameters.body_force))
+      body_force.emplace(parameters.body_force);
+    if (moves_from_start)
+      activity.wake_all(topology);
+  }
+
+  void
+  Simulation::choose_time_step()
+  {
+    std::vector<MaterialLimits> limits;
+    for (std::size_t i = 0; i < body.materials.size(); ++i)
+      limits.push_back({body.materials[i].name,
+                        stiffness_matrix(laws[i]),
+                        densities[i],
+                        body.materials[i].viscosity,
+                        parameters.cohesive.model !=
+                              CohesiveParameters::Model::none &&
+                            body.materials[i].breakable ?
+                          parameters.cohesive.stiffness_factor :
+                          0});
+    critical = critical_time_step(body.discretization.topology,
+                                  body.discretization.reference,
+                                  limits);
+
+    const TimeParameters &time = parameters.time;
+    dt = time.time_step > 0 ? time.time_step :
+                              time.safety_factor * critical.time_step;
+    // A little tolerance, so that rounding does not add a step.
+    last_step =
+      static_cast<std::uint64_t>(std::ceil(time.end_time / dt * (1 - 1e-12)));
+    if (time.time_step == 0)
+      dt = time.end_time / last_step;
+    log.write("Time step " + to_text(dt) + " s, " +
+              to_text(std::round(1000 * dt / critical.time_step) / 1000) +
+              " times the bound set by " + critical.limited_by + "; " +
+              std::to_string(last_step) + " steps");
+  }
+
+  void
+  Simulation::run()
+  {
+    FlushDenormals flush_denormals;
+    Progress       progress(log, topology().n_cells(), 0, parameters.time.end_time);
+    const auto     wall_start = timer.total();
+    while (state().step < last_step)
+      {
+        step();
+        progress.update(state().step, state().time);
+      }
+    step();
+    progress.finish();
+
+    Summary summary;
+    summary.time_step_limited_by  = critical.limited_by;
+    summary.wall_seconds          = timer.total();
+    summary.cell_steps_per_second = topology().n_cells() * state().step /
+                                    (timer.total() - wall_start);
+    summary.wall_seconds_by_stage = timer.seconds();
+    if (fracture)
+      summary.faces_inserted = fracture->n_inserted;
+    results.finish(snapshot(), summary);
+    log.write("Done: " + std::to_string(state().step) + " steps in " +
+              duration_text(timer.total()) + "; " +
+              std::to_string(summary.faces_inserted) +
+              " faces cut, largest residual of the energy ledger " +
+              to_text(ledger.largest_relative_residual()) +
+              " of the energy put in");
+  }
+
+  void
+  Simulation::step()
+  {
+    State &state = body.discretization.state;
+
+    // 1. Insertion: faces of the cells that were near their strength
+    if (fracture && !internal_force.hot_cells().empty())
+      {
+        split_at(
+          fracture->insertion.find_faces(state, internal_force.hot_cells()));
+        timer.stop("insertion");
+      }
+
+    // 2. Internal forces
+    if (const auto failed = internal_force.add_to(state, activity))
+      stop_unstable(*failed);
+    timer.stop("internal forces");
+
+    // 3. Cohesive tractions
+    if (fracture)
+      {
+        fracture->force.add_to(state);
+        timer.stop("cohesive forces");
+      }
+
+    // 4. Loads and damping
+    for (SurfaceLoad &load : surface_loads)
+      load.add_to(state, activity);
+    if (body_force)
+      body_force->add_to(state);
+    if (damping)
+      damping->add_to(state, activity);
+    timer.stop("loads and damping");
+
+    // 5. Faces that begin to open take over the forces that held them
+    if (fracture)
+      {
+        fracture->force.start_openings(state,
+                                       prescribed_motion ?
+                                         prescribed_motion->components() :
+                                         std::vector<std::uint8_t>());
+        timer.stop("cohesive forces");
+      }
+
+    // 6. Prescribed motion
+    if (state.step == 0)
+      start_velocities(state, dt);
+    if (prescribed_motion)
+      prescribed_motion->impose(state, activity, dt);
+    timer.stop("loads and damping");
+
+    // 7. Ledger and output at t_n, when due
+    count_work();
+    write_due_results();
+    timer.stop("ledger and output");
+
+    // 8. Kick and drift to t_(n+1)
+    if (state.step < last_step)
+      advance(state, activity, dt);
+    timer.stop("kick and drift");
+  }
+
+  void
+  Simulation::split_at(const std::vector<FaceIndex> &faces)
+  {
+    if (faces.empty())
+      return;
+    auto &[topology, reference, state] = body.discretization;
+    const TopologyChange change        = split_nodes(topology, faces);
+    fracture->n_inserted += faces.size();
+    if (change.splits.empty())
+      return;
+
+    state.grow(change);
+    for (const NodeSplit &split : change.splits)
+      for (const NodeIndex part : split.parts)
+        state.mass[part] = lumped_mass(topology, reference, densities, part);
+    activity.grow(topology.n_nodes());
+    fracture->force.apply(change, state);
+    for (SurfaceLoad &load : surface_loads)
+      load.update_nodes();
+    if (prescribed_motion)
+      prescribed_motion->update_nodes();
+  }
+
+  void
+  Simulation::count_work()
+  {
+    for (SurfaceLoad &load : surface_loads)
+      load.count_work(state(), dt);
+    if (damping)
+      damping->count_work(state(), dt);
+  }
+
+  void
+  Simulation::balance_energy()
+  {
+    Energies energies;
+    energies.kinetic = kinetic_energy(state(), dt);
+    energies.strain  = internal_force.strain_energy(state());
+    if (fracture)
+      {
+        const CohesiveEnergy cohesive = fracture->force.energy(state());
+        energies.cohesive             = cohesive.recoverable;
+        energies.fracture             = cohesive.fracture;
+        energies.friction             = cohesive.friction;
+      }
+    if (damping)
+      energies.damping = damping->dissipated();
+    for (const SurfaceLoad &load : surface_loads)
+      energies.loads += load.work();
+    if (prescribed_motion)
+      energies.loads += prescribed_motion->work();
+    if (body_force)
+      energies.loads += body_force->work(state());
+    ledger.enter(energies);
+
+    if (!(std::abs(ledger.relative_residual()) <=
+          parameters.time.largest_residual))
+      throw RunError(
+        "energy runs away: " + to_text(ledger.residual()) +
+        " J have come from nowhere, " + to_text(ledger.relative_residual()) +
+        " of the energy in play, more than the \"Largest energy residual\" of " +
+        to_text(parameters.time.largest_residual) + ", at " + moment_text() +
+        ". Choose a smaller time step or safety factor (subsection Time).");
+  }
+
+  void
+  Simulation::write_due_results()
+  {
+    const bool is_last  = state().step == last_step;
+    const bool history  = results.is_history_due(state().time, dt) || is_last;
+    const bool solution = results.is_solution_due(state().time, dt);
+    if (history || state().step % balance_interval == 0)
+      balance_energy();
+    if (history)
+      results.write_history(snapshot());
+    if (solution)
+      results.write_solution(snapshot());
+  }
+
+  Snapshot
+  Simulation::snapshot() const
+  {
+    return {body,
+            internal_force,
+            fracture ? &fracture->force : nullptr,
+            ledger,
+            dt};
+  }
+
+  std::string
+  Simulation::moment_text() const
+  {
+    return "step " + std::to_string(state().step) + ", t = " +
+           to_text(state().time) + " s, time step " +
+           to_text(std::round(1000 * dt / critical.time_step) / 1000) +
+           " times its safe bound";
+  }
+
+  void
+  Simulation::stop_unstable(const FailedCell &failed) const
+  {
+    Vector3<double> centre = {{0, 0, 0}};
+    for (unsigned int c = 0; c < n_corners; ++c)
+      centre += .25 * state()
+                        .reference[topology().node(failed.cell, c)]
+                        .vector();
+    throw RunError(
+      "cell " + std::to_string(topology().cell_global_indices[failed.cell]) +
+      " of " + body.materials[topology().material(failed.cell)].name +
+      " at (" + to_text(centre[0]) + ", " + to_text(centre[1]) + ", " +
+      to_text(centre[2]) + ") m has " + to_text(failed.volume_ratio) +
+      " of its volume; below " + to_text(InternalForce::smallest_volume_ratio) +
+      " the elastic law has no meaning. At " + moment_text() +
+      ". Choose a smaller time step or safety factor, or a weaker load.");
+  }
+
+  void
+  run_simulation(const Parameters &parameters)
+  {
+    Log log(&std::cout, is_terminal());
+    if (!parameters.title.empty())
+      log.write(parameters.title);
+    Simulation(parameters, log).run();
+  }
+} // namespace rift

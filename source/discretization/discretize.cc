@@ -1,0 +1,105 @@
+#include <rift/base/exceptions.h>
+#include <rift/discretization/discretize.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/fe/fe_simplex_p.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_fe.h>
+
+#include <algorithm>
+
+namespace rift
+{
+  namespace
+  {
+    using Triangulation = dealii::parallel::fullydistributed::Triangulation<3>;
+    using CellIterator  = dealii::DoFHandler<3>::active_cell_iterator;
+
+    /** All cells that this rank sees, in canonical order. */
+    std::vector<std::pair<GlobalCellIndex, CellIterator>>
+    sorted_cells(const dealii::DoFHandler<3> &dof_handler)
+    {
+      std::vector<std::pair<GlobalCellIndex, CellIterator>> cells;
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        if (!cell->is_artificial())
+          cells.emplace_back(cell->id().get_coarse_cell_id(), cell);
+      std::sort(cells.begin(), cells.end(), [](const auto &a, const auto &b) {
+        return a.first < b.first;
+      });
+      return cells;
+    }
+
+    Topology
+    make_topology(
+      const std::vector<std::pair<GlobalCellIndex, CellIterator>> &cells,
+      const Triangulation &triangulation)
+    {
+      std::vector<LocalCell> local_cells;
+      local_cells.reserve(cells.size());
+      for (const auto &[global_index, cell] : cells)
+        {
+          LocalCell local{global_index, {}, 0};
+          local.material = static_cast<std::uint16_t>(cell->material_id());
+          for (unsigned int c = 0; c < n_corners; ++c)
+            local.vertices[c] =
+              static_cast<VertexIndex>(cell->vertex_index(c));
+          local_cells.push_back(local);
+        }
+      return Topology(local_cells, triangulation.n_vertices());
+    }
+  } // namespace
+
+  Discretization
+  discretize(const Triangulation       &triangulation,
+             const std::vector<double> &densities)
+  {
+    // The vector-valued space of the displacement; its scalar shape functions
+    // are the same for the three components, so that of x is asked.
+    const dealii::FESystem<3>   fe(dealii::FE_SimplexP<3>(1), dim);
+    dealii::DoFHandler<3>       dof_handler(triangulation);
+    const dealii::MappingFE<3>  mapping(dealii::FE_SimplexP<3>(1));
+    const dealii::QGaussSimplex<3> quadrature(1);
+    dealii::FEValues<3>            fe_values(mapping,
+                                  fe,
+                                  quadrature,
+                                  dealii::update_gradients |
+                                    dealii::update_JxW_values);
+    dof_handler.distribute_dofs(fe);
+
+    const auto cells = sorted_cells(dof_handler);
+    Discretization result{make_topology(cells, triangulation), {}, {}};
+    Topology      &topology = result.topology;
+
+    result.reference.resize(topology.n_batches(), ReferenceBatch{});
+    result.state.resize(topology.n_nodes());
+    CellIndex slot = 0;
+    for (const auto &[global_index, cell] : cells)
+      {
+        while (topology.cell_global_indices[slot] != global_index)
+          ++slot;
+        fe_values.reinit(cell);
+        ReferenceBatch    &batch = result.reference[slot / batch_size];
+        const unsigned int lane  = slot % batch_size;
+        batch.volume[lane]       = fe_values.JxW(0);
+        for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
+          {
+            const auto [component, corner] = fe.system_to_component_index(i);
+            if (component != 0 || corner == 0)
+              continue;
+            for (unsigned int d = 0; d < dim; ++d)
+              batch.gradients[corner - 1][d][lane] =
+                fe_values.shape_grad(i, 0)[d];
+          }
+        for (unsigned int c = 0; c < n_corners; ++c)
+          for (unsigned int d = 0; d < dim; ++d)
+            result.state.reference[topology.node(slot, c)][d] =
+              cell->vertex(c)[d];
+      }
+    for (NodeIndex node = 0; node < topology.n_nodes(); ++node)
+      result.state.mass[node] =
+        lumped_mass(topology, result.reference, densities, node);
+    return result;
+  }
+} // namespace rift

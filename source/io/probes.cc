@@ -1,0 +1,144 @@
+#include <rift/base/exceptions.h>
+#include <rift/base/number_text.h>
+#include <rift/io/probes.h>
+
+#include <algorithm>
+
+namespace rift
+{
+  namespace
+  {
+    std::string
+    unit_of(const ProbeParameters::Field field)
+    {
+      switch (field)
+        {
+        case ProbeParameters::Field::displacement:
+          return "m";
+        case ProbeParameters::Field::velocity:
+          return "m/s";
+        default:
+          return "Pa";
+        }
+    }
+  } // namespace
+
+  std::vector<Vector3<double>>
+  velocity_at_step(const State &state, const double time_step)
+  {
+    std::vector<Vector3<double>> velocity(state.n_nodes());
+    for (std::size_t i = 0; i < velocity.size(); ++i)
+      velocity[i] = state.velocity[i].vector() +
+                    (.5 * time_step / state.mass[i]) * state.force[i].vector();
+    return velocity;
+  }
+
+  Probe::Probe(const Topology          &topology,
+               const ReferenceCellData &reference,
+               const State             &state,
+               const ProbeParameters   &the_parameters,
+               const Surface           &surface)
+    : parameters(the_parameters)
+    , header_text(parameters.name + " [" + unit_of(parameters.field) + "]")
+  {
+    if (parameters.boundary.empty())
+      find_point(topology, reference, state);
+    else
+      weigh_surface(reference, surface);
+  }
+
+  void
+  Probe::find_point(const Topology          &topology,
+                    const ReferenceCellData &reference,
+                    const State             &state)
+  {
+    // The cell whose smallest shape function at the point is largest: inside
+    // of a cell all are positive, on a face the first cell is as good as any.
+    constexpr double tolerance = 1e-9;
+    double           best      = -tolerance;
+    Sample           found{invalid_index, {}};
+    for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
+      {
+        if (topology.is_padding(cell))
+          continue;
+        const ReferenceBatch &batch = reference[cell / batch_size];
+        const Vector3<double> from_corner =
+          parameters.point -
+          state.reference[topology.node(cell, 0)].vector();
+        std::array<double, n_corners> shape = {{1, 0, 0, 0}};
+        for (unsigned int c = 1; c < n_corners; ++c)
+          {
+            shape[c] = dot(batch.gradient(c, cell % batch_size), from_corner);
+            shape[0] -= shape[c];
+          }
+        const double smallest = *std::min_element(shape.begin(), shape.end());
+        if (smallest > best)
+          {
+            best  = smallest;
+            found = {cell, shape};
+          }
+      }
+    if (found.cell == invalid_index)
+      throw InputError("the point (" + to_text(parameters.point[0]) + ", " +
+                       to_text(parameters.point[1]) + ", " +
+                       to_text(parameters.point[2]) + ") m of subsection \"Probe " +
+                       parameters.name +
+                       "\" lies in no cell of the mesh. Move it into the body; "
+                       "coordinates are in metres.");
+    samples.push_back(found);
+  }
+
+  void
+  Probe::weigh_surface(const ReferenceCellData &reference,
+                       const Surface           &surface)
+  {
+    double total = 0;
+    for (const CellFace &face : surface)
+      {
+        const double area =
+          norm(reference_area_vector(reference, face.cell, face.local_face));
+        Sample sample{face.cell, {}};
+        for (const unsigned int c : face_corners[face.local_face])
+          sample.weights[c] = area / 3;
+        samples.push_back(sample);
+        total += area;
+      }
+    for (Sample &sample : samples)
+      for (double &weight : sample.weights)
+        weight /= total;
+  }
+
+  double
+  Probe::value(const Topology                     &topology,
+               const InternalForce                &internal_force,
+               const State                        &state,
+               const std::vector<Vector3<double>> &velocity) const
+  {
+    using Field = ProbeParameters::Field;
+
+    double sum = 0;
+    for (const Sample &sample : samples)
+      if (parameters.field == Field::stress ||
+          parameters.field == Field::pressure)
+        {
+          // Constant in the cell.
+          double weight = 0;
+          for (const double w : sample.weights)
+            weight += w;
+          const auto s = internal_force.cauchy_stress(state, sample.cell);
+          sum += weight * (parameters.field == Field::stress ?
+                             s[parameters.component] :
+                             -(s[0] + s[1] + s[2]) / 3);
+        }
+      else
+        for (unsigned int c = 0; c < n_corners; ++c)
+          {
+            const NodeIndex node = topology.node(sample.cell, c);
+            sum += sample.weights[c] *
+                   (parameters.field == Field::velocity ?
+                      velocity[node][parameters.component] :
+                      state.displacement[node][parameters.component]);
+          }
+    return sum;
+  }
+} // namespace rift
