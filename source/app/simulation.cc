@@ -268,7 +268,7 @@ namespace rift
     energies.strain  = internal_force.strain_energy(state());
     if (fracture)
       {
-        const CohesiveEnergy cohesive = fracture->force.energy(state());
+        const CohesiveEnergy cohesive = fracture->force.energy();
         energies.cohesive             = cohesive.recoverable;
         energies.fracture             = cohesive.fracture;
         energies.friction             = cohesive.friction;

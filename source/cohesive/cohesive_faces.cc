@@ -29,10 +29,14 @@ namespace rift
     for_each_field(SimdPoint &a, Point &b, const Function &f)
     {
       for (unsigned int d = 0; d < dim; ++d)
-        f(a.offset[d], b.offset[d]);
+        {
+          f(a.offset[d], b.offset[d]);
+          f(a.traction[d], b.traction[d]);
+        }
       f(a.opening, b.opening);
       f(a.slip, b.slip);
       f(a.softening, b.softening);
+      f(a.cohesion, b.cohesion);
       f(a.normal_excess, b.normal_excess);
       f(a.shear_excess, b.shear_excess);
       f(a.inverse_opening, b.inverse_opening);
@@ -62,23 +66,5 @@ namespace rift
     for_each_field(batch.points[point],
                    value,
                    [lane](Simd &field, const double v) { field[lane] = v; });
-  }
-
-  Matrix3<Simd>
-  face_frame(const CohesiveBatch                &batch,
-             const std::array<Vector3<Simd>, 3> &displacement_sums)
-  {
-    const Simd          half = broadcast(.5);
-    const Vector3<Simd> edge_1 =
-      batch.edges[0] + half * (displacement_sums[1] - displacement_sums[0]);
-    const Vector3<Simd> edge_2 =
-      batch.edges[1] + half * (displacement_sums[2] - displacement_sums[0]);
-
-    const Vector3<Simd> area = cross(edge_1, edge_2);
-    Matrix3<Simd>       frame;
-    frame[0] = (1. / sqrt(dot(area, area))) * area;
-    frame[1] = (1. / sqrt(dot(edge_1, edge_1))) * edge_1;
-    frame[2] = cross(frame[0], frame[1]);
-    return frame;
   }
 } // namespace rift

@@ -22,81 +22,50 @@ namespace rift
   {
   }
 
-  CohesiveForce::Kinematics
-  CohesiveForce::kinematics(const State &state, const CohesiveBatch &batch)
-  {
-    std::array<Vector3<Simd>, 3> sums, differences;
-    for (unsigned int c = 0; c < 3; ++c)
-      {
-        const auto minus = gather(state.displacement.data(), batch.minus[c]);
-        const auto plus  = gather(state.displacement.data(), batch.plus[c]);
-        sums[c]          = plus + minus;
-        differences[c]   = plus - minus;
-      }
-    Kinematics result;
-    result.frame = face_frame(batch, sums);
-    for (unsigned int c = 0; c < 3; ++c)
-      result.jumps[c] = result.frame * differences[c];
-    return result;
-  }
-
-  Vector3<Simd>
-  CohesiveForce::jump_at(const Kinematics  &kinematics,
-                         const unsigned int point) const
-  {
-    Vector3<Simd> jump{};
-    for (unsigned int c = 0; c < 3; ++c)
-      for (unsigned int d = 0; d < dim; ++d)
-        jump[d] += quadrature.shape[point][c] * kinematics.jumps[c][d];
-    return jump;
-  }
-
   void
   CohesiveForce::add_to(State &state)
   {
     for (std::size_t b = 0; b < cohesive_faces.batches.size(); ++b)
       {
-        CohesiveBatch   &batch = cohesive_faces.batches[b];
-        const Kinematics now   = kinematics(state, batch);
+        CohesiveBatch       &batch = cohesive_faces.batches[b];
+        const FaceKinematics kinematics(batch, state);
 
-        std::array<Vector3<Simd>, 3> corner_forces{};
-        Simd                         largest_softening{};
+        Simd largest_softening{};
         for (unsigned int q = 0; q < n_face_points; ++q)
           {
-            Vector3<Simd> traction;
-            const auto    dissipation = law.update(batch.points[q],
-                                                batch.constants,
-                                                jump_at(now, q),
-                                                traction);
-            const Simd    area        = quadrature.weight[q] * batch.area;
+            CohesivePoint<Simd> &point = batch.points[q];
+            const auto           dissipation =
+              law.update(point,
+                         batch.constants,
+                         kinematics.jump_at(quadrature, q));
+            const Simd area = quadrature.weight[q] * batch.area;
             batch.fracture += area * dissipation.fracture;
             batch.friction += area * dissipation.friction;
-            for (unsigned int c = 0; c < 3; ++c)
-              for (unsigned int d = 0; d < dim; ++d)
-                corner_forces[c][d] +=
-                  (area * quadrature.shape[q][c]) * traction[d];
-            largest_softening =
-              max(largest_softening, batch.points[q].softening);
+            largest_softening = max(largest_softening, point.softening);
           }
-
-        std::array<std::array<Row, batch_size>, 3> rows;
-        for (unsigned int c = 0; c < 3; ++c)
-          {
-            Vector3<Simd> force{};
-            for (unsigned int i = 0; i < dim; ++i)
-              for (unsigned int d = 0; d < dim; ++d)
-                force[d] += now.frame[i][d] * corner_forces[c][i];
-            rows[c] = transpose_to_rows(force);
-          }
-        for (unsigned int lane = 0; lane < batch.n_faces; ++lane)
-          for (unsigned int c = 0; c < 3; ++c)
-            {
-              state.force[batch.minus[c][lane]].row() += rows[c][lane];
-              state.force[batch.plus[c][lane]].row() -= rows[c][lane];
-            }
+        scatter(batch, face_forces(batch, kinematics, quadrature), state);
         if (any(largest_softening <= 0.))
           note_failures(b, state.time);
       }
+  }
+
+  void
+  CohesiveForce::scatter(const CohesiveBatch &batch,
+                         const FaceForces    &forces,
+                         State               &state)
+  {
+    std::array<std::array<Row, batch_size>, 3> minus, plus;
+    for (unsigned int c = 0; c < 3; ++c)
+      {
+        minus[c] = transpose_to_rows(forces.minus[c]);
+        plus[c]  = transpose_to_rows(forces.plus[c]);
+      }
+    for (unsigned int lane = 0; lane < batch.n_faces; ++lane)
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          state.force[batch.minus[c][lane]].row() += minus[c][lane];
+          state.force[batch.plus[c][lane]].row() += plus[c][lane];
+        }
   }
 
   void
@@ -119,17 +88,15 @@ namespace rift
   }
 
   CohesiveEnergy
-  CohesiveForce::energy(const State &state) const
+  CohesiveForce::energy() const
   {
     Simd fracture{}, friction{}, recoverable{};
     for (std::size_t b = 0; b < cohesive_faces.batches.size(); ++b)
       {
         const CohesiveBatch &batch = cohesive_faces.batches[b];
-        const Kinematics     now   = kinematics(state, batch);
         for (unsigned int q = 0; q < n_face_points; ++q)
           {
-            const auto t =
-              traction_at(batch.points[q], batch.constants, jump_at(now, q));
+            const Vector3<Simd> &t = batch.points[q].traction;
             recoverable += (.5 * quadrature.weight[q]) * batch.area *
                            dot(t, t) / batch.constants.stiffness;
           }
@@ -159,12 +126,11 @@ namespace rift
                              const std::size_t  index,
                              const unsigned int point) const
   {
-    const CohesiveBatch &batch = cohesive_faces.batches[index / batch_size];
-    const unsigned int   lane  = index % batch_size;
-    const auto           jump  = jump_at(kinematics(state, batch), point);
-    const auto           traction =
-      traction_at(batch.points[point], batch.constants, jump);
-    PointState result;
+    const CohesiveBatch &batch    = cohesive_faces.batches[index / batch_size];
+    const unsigned int   lane     = index % batch_size;
+    const auto           jump     = FaceKinematics(batch, state).jump_at(quadrature, point);
+    const auto          &traction = batch.points[point].traction;
+    PointState           result;
     for (unsigned int d = 0; d < dim; ++d)
       {
         result.jump[d]     = jump[d][lane];

@@ -23,7 +23,10 @@ namespace rift
         .5 * excess * excess / (MohrCoulomb::excess_slope * stiffness);
       const double shortest =
         MohrCoulomb::shortest_separation * strength / stiffness;
-      return 1 / std::max(energy / (Softening::integral * strength), shortest);
+      return strength > 0 ?
+               1 /
+                 std::max(energy / (Softening::integral * strength), shortest) :
+               0;
     }
 
     void
@@ -37,22 +40,19 @@ namespace rift
                                                  std::max(traction[0], 0.),
                                                  point.normal_excess,
                                                  stiffness);
-      point.inverse_slip    = inverse_separation(strength.cohesion,
-                                              strength.fracture_energy_2,
-                                              std::hypot(traction[1],
-                                                         traction[2]),
-                                              point.shear_excess,
-                                              stiffness);
+      point.inverse_slip =
+        inverse_separation(point.cohesion,
+                           strength.fracture_energy_2,
+                           std::hypot(traction[1], traction[2]),
+                           point.shear_excess,
+                           stiffness);
     }
   } // namespace
 
   CohesiveConstants<double>
   make_constants(const FaceStrength &strength, const double stiffness)
   {
-    return {stiffness,
-            strength.tensile_strength,
-            strength.cohesion,
-            strength.tan_friction_angle};
+    return {stiffness, strength.tensile_strength, strength.tan_friction_angle};
   }
 
   CohesivePoint<double>
@@ -60,6 +60,7 @@ namespace rift
   {
     CohesivePoint<double> point{};
     point.softening = 1;
+    point.cohesion  = strength.cohesion;
     set_separations(point, {{0, 0, 0}}, strength, stiffness);
     return point;
   }
@@ -71,16 +72,17 @@ namespace rift
                 const FaceStrength    &strength,
                 const double           stiffness)
   {
-    const Vector3<double> before =
-      traction_at(point, make_constants(strength, stiffness), jump);
-    const Vector3<double> t = before + more;
-    const double          friction =
-      strength.tan_friction_angle * std::max(-t[0], 0.);
-    point.normal_excess =
-      std::max(0., t[0] - point.softening * strength.tensile_strength);
-    point.shear_excess = std::max(0.,
-                                  std::hypot(t[1], t[2]) - friction -
-                                    point.softening * strength.cohesion);
+    const Vector3<double> before = point.traction;
+    const Vector3<double> t      = before + more;
+    const double friction = strength.tan_friction_angle * std::max(-t[0], 0.);
+    const double tensile_strength = point.softening * strength.tensile_strength;
+    const double cohesion         = point.softening * strength.cohesion;
+    const double shear            = std::hypot(t[1], t[2]) - friction;
+    if (t[0] * cohesion > shear * tensile_strength && point.softening > 0)
+      point.cohesion = std::min(shear / point.softening, strength.cohesion);
+    point.normal_excess = std::max(0., t[0] - tensile_strength);
+    point.shear_excess = std::max(0., shear - point.softening * point.cohesion);
+    point.traction     = t;
     point.offset       = jump - (1 / stiffness) * t;
     set_separations(point, t, strength, stiffness);
     return .5 * (dot(t, t) - dot(before, before)) / stiffness;

@@ -67,7 +67,11 @@ namespace rift
     for (const NodeSplit &split : change.splits)
       {
         Parting parting;
-        parting.nodes = split.parts;
+        parting.nodes      = split.parts;
+        const auto is_part = [&split](const NodeIndex node) {
+          return std::find(split.parts.begin(), split.parts.end(), node) !=
+                 split.parts.end();
+        };
         for_each_cut_face(
           vertex_of(split),
           [&](const FaceIndex    face,
@@ -76,9 +80,7 @@ namespace rift
               const NodeIndex    plus) {
             // Another node at the same vertex may have split as well.
             const std::uint32_t index = index_of_face[face];
-            if (index == invalid_index ||
-                std::find(split.parts.begin(), split.parts.end(), minus) ==
-                  split.parts.end())
+            if (index == invalid_index || !(is_part(minus) || is_part(plus)))
               return;
             CohesiveBatch &batch = cohesive_faces.batches[index / batch_size];
             const unsigned int lane      = index % batch_size;
@@ -102,7 +104,7 @@ namespace rift
         // Lanes without a face are triangles of no area that never open.
         CohesiveBatch empty{};
         empty.edges[0][0] = empty.edges[1][1] = broadcast(1);
-        empty.constants.stiffness = broadcast(1);
+        empty.constants.stiffness             = broadcast(1);
         for (auto &point : empty.points)
           point.softening = broadcast(1);
         cohesive_faces.batches.push_back(empty);
@@ -134,7 +136,6 @@ namespace rift
     batch.area[lane]                   = area;
     constants.stiffness[lane]          = slope;
     constants.tensile_strength[lane]   = strength.tensile_strength;
-    constants.cohesion[lane]           = strength.cohesion;
     constants.tan_friction_angle[lane] = strength.tan_friction_angle;
     for (unsigned int q = 0; q < n_face_points; ++q)
       set_point(batch, q, lane, make_cohesive_point(strength, slope));
@@ -157,9 +158,11 @@ namespace rift
         const auto   material = topology.material(cell);
         const double mass =
           densities[material] * batch.volume[lane] / n_corners;
-        const double of_cell = largest_frequency_squared(
-          batch, lane, stiffnesses[material], densities[material]);
-        smallest = std::min(smallest, mass * (limit - of_cell) / 3);
+        const double of_cell = largest_frequency_squared(batch,
+                                                         lane,
+                                                         stiffnesses[material],
+                                                         densities[material]);
+        smallest             = std::min(smallest, mass * (limit - of_cell) / 3);
       }
     return 1.5 * smallest / area;
   }
@@ -280,10 +283,11 @@ namespace rift
                       const CornerForce *first,
                       const CornerForce *last)
   {
-    const std::uint32_t index = first->opening.index;
-    CohesiveBatch      &batch = cohesive_faces.batches[index / batch_size];
-    const unsigned int  lane  = index % batch_size;
-    const Kinematics    now   = kinematics(state, batch);
+    const std::uint32_t  index = first->opening.index;
+    CohesiveBatch       &batch = cohesive_faces.batches[index / batch_size];
+    const unsigned int   lane  = index % batch_size;
+    const FaceKinematics kinematics(batch, state);
+    const FaceForces     before = face_forces(batch, kinematics, quadrature);
 
     // In the frame of the face. Corners that are still bonded are given the
     // mean of the others: their own share will be a correction of that.
@@ -294,7 +298,7 @@ namespace rift
         for (unsigned int i = 0; i < dim; ++i)
           for (unsigned int d = 0; d < dim; ++d)
             forces[share->opening.corner][i] +=
-              now.frame[i][d][lane] * share->force[d];
+              kinematics.frame[i][d][lane] * share->force[d];
         mean += (1. / (last - first)) * forces[share->opening.corner];
       }
     for (unsigned int c = 0; c < 3; ++c)
@@ -306,36 +310,31 @@ namespace rift
     const double       area = batch.area[lane];
     const FaceStrength strength =
       strengths.strength(cohesive_faces.infos[index].face);
-    std::array<Vector3<double>, 3> held{};
     for (unsigned int q = 0; q < n_face_points; ++q)
       {
         Vector3<double> more = {{0, 0, 0}}, jump;
         for (unsigned int c = 0; c < 3; ++c)
           more += (3 / area * (4 * quadrature.shape[q][c] - 1)) * forces[c];
-        const auto jumps = jump_at(now, q);
+        const auto jumps = kinematics.jump_at(quadrature, q);
         for (unsigned int d = 0; d < dim; ++d)
           jump[d] = jumps[d][lane];
 
         auto         point  = get_point(batch, q, lane);
         const double slope  = batch.constants.stiffness[lane];
-        const auto   constants = make_constants(strength, slope);
         const double weight = quadrature.weight[q] * area;
-        const auto   before = traction_at(point, constants, jump);
         batch.initial[lane] +=
           weight * hold_traction(point, jump, more, strength, slope);
-        const auto gained = traction_at(point, constants, jump) - before;
-        for (unsigned int c = 0; c < 3; ++c)
-          held[c] += (weight * quadrature.shape[q][c]) * gained;
         set_point(batch, q, lane, point);
       }
+
+    const FaceForces after = face_forces(batch, kinematics, quadrature);
     for (unsigned int c = 0; c < 3; ++c)
-      if (batch.minus[c][lane] != batch.plus[c][lane])
-        for (unsigned int i = 0; i < dim; ++i)
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              const double f = now.frame[i][d][lane] * held[c][i];
-              state.force[batch.minus[c][lane]][d] += f;
-              state.force[batch.plus[c][lane]][d] -= f;
-            }
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          state.force[batch.minus[c][lane]][d] +=
+            after.minus[c][d][lane] - before.minus[c][d][lane];
+          state.force[batch.plus[c][lane]][d] +=
+            after.plus[c][d][lane] - before.plus[c][d][lane];
+        }
   }
 } // namespace rift

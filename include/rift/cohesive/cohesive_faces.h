@@ -87,17 +87,6 @@ namespace rift
             unsigned int                 point,
             unsigned int                 lane,
             const CohesivePoint<double> &value);
-
-  /**
-   * Mid-plane frame of eight faces: rows are the normal, from minus to plus,
-   * and two tangents, the first along the edge from corner 0 to 1; it turns
-   * with the body.
-   *
-   * @param displacement sums over both sides at the corners, m.
-   */
-  Matrix3<Simd>
-  face_frame(const CohesiveBatch                &batch,
-             const std::array<Vector3<Simd>, 3> &displacement_sums);
 } // namespace rift
 
 #endif

@@ -2,6 +2,7 @@
 #define rift_cohesive_cohesive_force_h
 
 #include <rift/cohesive/cohesive_faces.h>
+#include <rift/cohesive/face_kinematics.h>
 #include <rift/cohesive/face_strengths.h>
 #include <rift/discretization/state.h>
 #include <rift/material/elasticity.h>
@@ -71,8 +72,9 @@ namespace rift
     start_openings(State                           &state,
                    const std::vector<std::uint8_t> &prescribed_components);
 
+    /** Energies at the last add_to(). */
     CohesiveEnergy
-    energy(const State &state) const;
+    energy() const;
 
     const CohesiveFaces &
     faces() const
@@ -120,23 +122,6 @@ namespace rift
       Vector3<double> force;
     };
 
-    /** Where a batch of faces is now. */
-    struct Kinematics
-    {
-      /** See face_frame(). */
-      Matrix3<Simd> frame;
-
-      /** Jump at each corner in that frame, m. */
-      std::array<Vector3<Simd>, 3> jumps;
-    };
-
-    static Kinematics
-    kinematics(const State &state, const CohesiveBatch &batch);
-
-    /** Jump at a Gauss point, m. */
-    Vector3<Simd>
-    jump_at(const Kinematics &kinematics, unsigned int point) const;
-
     /** Calls f(face, corner of the face, its minus and its plus node) for all
      * faces around a vertex that have been cut. */
     template <typename Function>
@@ -160,6 +145,9 @@ namespace rift
     /** Gives the points of one face the traction that makes these forces. */
     void
     hold(State &state, const CornerForce *first, const CornerForce *last);
+
+    static void
+    scatter(const CohesiveBatch &batch, const FaceForces &forces, State &state);
 
     void
     note_failures(std::size_t batch_number, double time);

@@ -28,11 +28,17 @@ namespace rift
     /** Jump at which the elastic branch has no traction, m. */
     Vector3<Number> offset;
 
+    /** Traction at the last update, Pa. */
+    Vector3<Number> traction;
+
     /** Irreversible opening and slip over what separates the face fully. */
     Number opening, slip;
 
     /** f(D): the share of the strength that is left, 1 to 0. */
     Number softening;
+
+    /** Peak of the envelope in shear without friction, Pa. */
+    Number cohesion;
 
     /** Traction above the strength that is still held, Pa: normal, shear. */
     Number normal_excess, shear_excess;
@@ -48,7 +54,7 @@ namespace rift
     /** Slope of the elastic branch, Pa/m. */
     Number stiffness;
 
-    Number tensile_strength, cohesion, tan_friction_angle;
+    Number tensile_strength, tan_friction_angle;
   };
 
   /** Energy per area that one update has used up, J/m^2. */
@@ -92,16 +98,16 @@ namespace rift
     /**
      * Moves a point to a new jump.
      *
+     * `point.traction` then acts on the minus side: positive opening is pulled
+     * back.
+     *
      * @param jump opening and slips, m.
-     * @param[out] traction on the minus side, Pa; positive opening is pulled
-     *   back.
      */
     template <typename Number>
     Dissipation<Number>
     update(CohesivePoint<Number>           &point,
            const CohesiveConstants<Number> &constants,
-           const Vector3<Number>           &jump,
-           Vector3<Number>                 &traction) const;
+           const Vector3<Number>           &jump) const;
 
   private:
     /** Irreversible opening and slip of one update, m. */
@@ -151,20 +157,6 @@ namespace rift
   CohesivePoint<double>
   make_cohesive_point(const FaceStrength &strength, double stiffness);
 
-  /** Traction of a point at the jump to which it was last updated, Pa. */
-  template <typename Number>
-  inline Vector3<Number>
-  traction_at(const CohesivePoint<Number>     &point,
-              const CohesiveConstants<Number> &constants,
-              const Vector3<Number>           &jump)
-  {
-    Vector3<Number> t = constants.stiffness * (jump - point.offset);
-    t[0]              = min(t[0],
-               point.softening * constants.tensile_strength +
-                 point.normal_excess);
-    return t;
-  }
-
   /**
    * Gives a point, at the jump to which it was last updated, more traction:
    * the force that held two nodes together until now passes to the face, so
@@ -186,52 +178,48 @@ namespace rift
   Dissipation<Number>
   MohrCoulomb::update(CohesivePoint<Number>           &point,
                       const CohesiveConstants<Number> &constants,
-                      const Vector3<Number>           &jump,
-                      Vector3<Number>                 &traction) const
+                      const Vector3<Number>           &jump) const
   {
-    const Number zero{};
-    traction              = constants.stiffness * (jump - point.offset);
-    const Number normal   = traction[0];
+    const Number          zero{};
+    const Vector3<Number> former = point.traction;
+    Vector3<Number>      &t      = point.traction;
+    t                            = constants.stiffness * (jump - point.offset);
+    const Number normal          = t[0];
     const Number friction = constants.tan_friction_angle * max(-normal, zero);
-    const Number shear =
-      sqrt(traction[1] * traction[1] + traction[2] * traction[2]);
-    const Number normal_limit =
-      point.softening * constants.tensile_strength + point.normal_excess;
-    const Number shear_limit =
-      point.softening * constants.cohesion + point.shear_excess;
-    if (!any((normal > normal_limit) | (shear > shear_limit + friction)))
+    const Number shear    = sqrt(t[1] * t[1] + t[2] * t[2]);
+    if (!any((normal > point.softening * constants.tensile_strength +
+                         point.normal_excess) |
+             (shear > point.softening * point.cohesion + point.shear_excess +
+                        friction)))
       return {zero, zero};
 
     const auto flow = soften(point, constants, normal, shear, friction);
 
-    // Mean of the envelope before and after: the work of the trapezoidal rule
-    // that the central differences do.
-    const Number new_normal_limit =
-      point.softening * constants.tensile_strength + point.normal_excess;
-    const Number new_shear_limit =
-      point.softening * constants.cohesion + point.shear_excess;
-    Dissipation<Number> dissipation;
-    dissipation.fracture =
-      .5 * ((normal_limit + new_normal_limit) * flow.opening +
-            (shear_limit + new_shear_limit) * flow.slip);
-    dissipation.friction = friction * flow.slip;
-
-    const Number slip_share = flow.slip / max(shear, zero + 1e-300);
-    point.offset[0]         = point.offset[0] + flow.opening;
+    const Number    slip_share = flow.slip / max(shear, zero + 1e-300);
+    Vector3<Number> flow_jump  = {{flow.opening, zero, zero}};
     for (unsigned int d = 1; d < 3; ++d)
+      flow_jump[d] = slip_share * t[d];
+    for (unsigned int d = 0; d < 3; ++d)
       {
-        point.offset[d] = point.offset[d] + slip_share * traction[d];
-        traction[d] =
-          traction[d] - constants.stiffness * slip_share * traction[d];
+        point.offset[d] = point.offset[d] + flow_jump[d];
+        t[d]            = t[d] - constants.stiffness * flow_jump[d];
       }
-    traction[0] = normal - constants.stiffness * flow.opening;
 
     // A failed point that is open will close where it was cut.
     const auto open = (point.softening <= zero) &
                       (point.normal_excess <= zero) & (flow.opening > zero) &
                       (jump[0] > zero);
     point.offset[0] = select(open, zero, point.offset[0]);
-    traction[0]     = select(open, zero, traction[0]);
+    t[0]            = select(open, zero, t[0]);
+
+    // By the trapezoidal rule, as the central differences do their work: what
+    // is left of that work is exactly the change of the elastic energy.
+    const Number former_friction =
+      constants.tan_friction_angle * max(-former[0], zero);
+    Dissipation<Number> dissipation;
+    dissipation.friction = .5 * (friction + former_friction) * flow.slip;
+    dissipation.fracture =
+      .5 * dot(t + former, flow_jump) - dissipation.friction;
     return dissipation;
   }
 
@@ -256,21 +244,20 @@ namespace rift
       return min(with_excess, without);
     };
     const Number over_normal = normal - softening * constants.tensile_strength;
-    const Number over_shear  = shear - softening * constants.cohesion - friction;
+    const Number over_shear  = shear - softening * point.cohesion - friction;
     Flow<Number> result;
-    result.opening = max(flow(over_normal, point.normal_excess), zero);
-    result.slip    = max(flow(over_shear, point.shear_excess), zero);
+    result.opening  = max(flow(over_normal, point.normal_excess), zero);
+    result.slip     = max(flow(over_shear, point.shear_excess), zero);
     const auto rate = [&](const Number &jump, const Number &over) {
-      return select(jump > zero,
-                    select(jump < compliance * over,
-                           zero + steepening,
-                           zero + 1.),
-                    zero) *
+      return select(
+               jump > zero,
+               select(jump < compliance * over, zero + steepening, zero + 1.),
+               zero) *
              compliance;
     };
     result.opening_rate =
       rate(result.opening, over_normal) * constants.tensile_strength;
-    result.slip_rate = rate(result.slip, over_shear) * constants.cohesion;
+    result.slip_rate = rate(result.slip, over_shear) * point.cohesion;
     return result;
   }
 
@@ -299,21 +286,19 @@ namespace rift
            slip * flow.slip_rate * point.inverse_slip) /
           max(damage, zero + 1e-300);
         const Number residual = share - softening.value(inside);
-        const Number gain     = select(
-          damage < one, -softening.slope(inside) * damage_rate, zero);
+        const Number gain =
+          select(damage < one, -softening.slope(inside) * damage_rate, zero);
         share = share - residual / (1. - gain);
         share = max(min(share, point.softening), zero);
       }
 
     const auto flow = flow_at(point, constants, share, normal, shear, friction);
     const auto alive = point.softening > zero;
-    point.opening =
-      select(alive,
-             point.opening + flow.opening * point.inverse_opening,
-             point.opening);
-    point.slip = select(alive,
-                        point.slip + flow.slip * point.inverse_slip,
-                        point.slip);
+    point.opening    = select(alive,
+                           point.opening + flow.opening * point.inverse_opening,
+                           point.opening);
+    point.slip =
+      select(alive, point.slip + flow.slip * point.inverse_slip, point.slip);
     const Number damage_squared =
       point.opening * point.opening + point.slip * point.slip;
     point.softening     = select(damage_squared >= one, zero, share);

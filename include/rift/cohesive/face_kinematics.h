@@ -1,0 +1,54 @@
+#ifndef rift_cohesive_face_kinematics_h
+#define rift_cohesive_face_kinematics_h
+
+#include <rift/cohesive/cohesive_faces.h>
+#include <rift/discretization/state.h>
+
+namespace rift
+{
+  /** Where the eight faces of a batch are now. */
+  struct FaceKinematics
+  {
+    FaceKinematics(const CohesiveBatch &batch, const State &state);
+
+    /** Jump at a Gauss point in the frame of the face, m. */
+    Vector3<Simd>
+    jump_at(const FaceQuadrature &quadrature, unsigned int point) const;
+
+    /**
+     * Frame of the mid-plane: rows are the normal, from minus to plus, and two
+     * tangents, the first along the edge from corner 0 to 1. It turns with the
+     * face.
+     */
+    Matrix3<Simd> frame;
+
+    /** Jump at each corner in that frame, m. */
+    std::array<Vector3<Simd>, 3> jumps;
+
+    /**
+     * The two edges from corner 0 in the frame, m: (length_1, 0) and
+     * (along_2, across_2).
+     */
+    Simd length_1, along_2, across_2;
+  };
+
+  /** Forces on the corners of the two sides of eight faces, N. */
+  struct FaceForces
+  {
+    std::array<Vector3<Simd>, 3> minus, plus;
+  };
+
+  /**
+   * Nodal forces of the tractions at the Gauss points (doc/theory.md, eqs. 16
+   * and 17). Besides the tractions themselves they hold the couple by which
+   * these turn the frame when the face is open: the work of the forces is then
+   * that of the tractions on the jumps in the frame, and no momentum, linear
+   * or angular, comes from the face.
+   */
+  FaceForces
+  face_forces(const CohesiveBatch  &batch,
+              const FaceKinematics &kinematics,
+              const FaceQuadrature &quadrature);
+} // namespace rift
+
+#endif
