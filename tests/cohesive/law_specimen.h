@@ -1,0 +1,83 @@
+#ifndef rift_tests_cohesive_law_specimen_h
+#define rift_tests_cohesive_law_specimen_h
+
+#include <rift/cohesive/laws/mohr_coulomb.h>
+
+/** A single point under the cohesive law. */
+namespace rift::test
+{
+  using Vector = Vector3<double>;
+
+  /** Granite, but for fracture energies that differ. */
+  const FaceStrength strength = {15e6, 36.7e6, std::tan(.8727), 400, 900};
+
+  /** A slope at which no separation is too short for the softening. */
+  constexpr double slope = 2e13;
+
+  /** A point that is moved step by step; work is that of the trapezoidal rule,
+   * as central differences do it, J/m^2. */
+  struct Specimen
+  {
+    explicit Specimen(const double slope = test::slope)
+      : point(make_cohesive_point(strength, slope))
+      , constants(make_constants(strength, slope))
+    {
+    }
+
+    /** Straight to a jump in n steps. */
+    void
+    go_to(const Vector &target, const unsigned int n)
+    {
+      const Vector start = jump;
+      for (unsigned int i = 1; i <= n; ++i)
+        step_to(start + (static_cast<double>(i) / n) * (target - start));
+    }
+
+    void
+    step_to(const Vector &target)
+    {
+      const Vector before      = point.traction;
+      const auto   dissipation = law.update(point, constants, target);
+      work += .5 * dot(before + point.traction, target - jump);
+      fracture += dissipation.fracture;
+      friction += dissipation.friction;
+      jump = target;
+    }
+
+    double
+    elastic_energy() const
+    {
+      return .5 * dot(point.traction, point.traction) / constants.stiffness;
+    }
+
+    /** hold_traction() at the present jump; returns the energy given. */
+    double
+    hold(const Vector &traction)
+    {
+      return hold_traction(point,
+                           jump,
+                           traction,
+                           strength,
+                           constants.stiffness);
+    }
+
+    double
+    shear() const
+    {
+      return std::hypot(point.traction[1], point.traction[2]);
+    }
+
+    MohrCoulomb               law;
+    CohesivePoint<double>     point;
+    CohesiveConstants<double> constants;
+    Vector                    jump = {{0, 0, 0}};
+    double                    work = 0, fracture = 0, friction = 0;
+  };
+
+  const double full_opening = strength.fracture_energy_1 / Softening::integral /
+                              strength.tensile_strength;
+  const double full_slip =
+    strength.fracture_energy_2 / Softening::integral / strength.cohesion;
+} // namespace rift::test
+
+#endif

@@ -1,0 +1,223 @@
+#include "law_specimen.h"
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace rift;
+using namespace rift::test;
+
+TEST(MohrCoulomb, UnloadingAndReloadingFollowTheSlope)
+{
+  for (const double share : {.1, .4, .8})
+    {
+      Specimen specimen;
+      specimen.go_to({{share * full_opening, .1 * full_slip, 0}}, 5000);
+      const Vector jump = specimen.jump, traction = specimen.point.traction;
+      const double softening = specimen.point.softening;
+      const double fracture  = specimen.fracture;
+      const double back      = .5 * traction[0] / slope;
+      for (const double way : {.25, 1., .5, 0.})
+        {
+          specimen.step_to(jump - Vector{{way * back, way * back, 0}});
+          for (unsigned int d = 0; d < 2; ++d)
+            EXPECT_NEAR(specimen.point.traction[d],
+                        traction[d] - slope * way * back,
+                        1e-12 * strength.cohesion);
+        }
+      EXPECT_EQ(specimen.fracture, fracture);
+      EXPECT_EQ(specimen.point.softening, softening);
+    }
+}
+
+TEST(MohrCoulomb, TractionStaysInsideTheEnvelope)
+{
+  std::mt19937                           random(5);
+  Specimen                               specimen;
+  double                                 last = 1;
+  std::uniform_real_distribution<double> value(-1, 1);
+  for (unsigned int i = 0; i < 100000; ++i)
+    {
+      specimen.step_to(specimen.jump +
+                       (.01 * full_opening) *
+                         Vector{{value(random), value(random), value(random)}});
+      const auto &p = specimen.point;
+      EXPECT_LE(p.softening, last);
+      last = p.softening;
+      ASSERT_LE(p.traction[0],
+                p.softening * strength.tensile_strength +
+                  1e-7 * strength.tensile_strength);
+      ASSERT_LE(specimen.shear(),
+                p.softening * strength.cohesion +
+                  strength.tan_friction_angle * std::max(-p.traction[0], 0.) +
+                  1e-7 * strength.cohesion);
+      const double damage = std::hypot(p.opening, p.slip);
+      ASSERT_NEAR(p.softening,
+                  damage >= 1 ? 0 : Softening::exact(damage),
+                  1e-6);
+    }
+  EXPECT_EQ(last, 0);
+}
+
+TEST(MohrCoulomb, ExcessFallsToTheStrength)
+{
+  Specimen     specimen;
+  const double excess = .2 * strength.tensile_strength;
+  specimen.hold({{strength.tensile_strength + excess, 0, 0}});
+  EXPECT_NEAR(specimen.point.normal_excess, excess, 1e-6);
+
+  // The envelope falls by k/3 of the irreversible opening, which is what the
+  // whole opening and the falling elastic part add up to: together by k/2.
+  const double small = 1e-3 * excess / slope;
+  specimen.step_to({{small, 0, 0}});
+  EXPECT_NEAR(
+    (strength.tensile_strength + excess - specimen.point.traction[0]) / small,
+    slope / 2,
+    1e-3 * slope);
+  double last = specimen.point.traction[0];
+  for (unsigned int i = 1; i <= 100; ++i)
+    {
+      specimen.step_to({{i * .021 * excess / slope, 0, 0}});
+      EXPECT_LT(specimen.point.traction[0], last);
+      last = specimen.point.traction[0];
+    }
+  EXPECT_EQ(specimen.point.normal_excess, 0);
+  EXPECT_LE(last, strength.tensile_strength);
+
+  Specimen sliding;
+  sliding.hold({{0, 0, -1.2 * strength.cohesion}});
+  EXPECT_NEAR(sliding.point.shear_excess, .2 * strength.cohesion, 1e-6);
+  sliding.go_to({{0, 0, -.5 * strength.cohesion / slope}}, 100);
+  EXPECT_EQ(sliding.point.shear_excess, 0);
+  EXPECT_LE(sliding.shear(), strength.cohesion);
+}
+
+// Nodes parted by tension transmit less shear than the cohesion: the shear
+// softens from what was there, or else would rise while the tension falls.
+TEST(MohrCoulomb, ShearOfATensileStartSoftensFromItsOwnValue)
+{
+  Specimen     specimen;
+  const double shear = .4 * strength.cohesion;
+  specimen.hold({{strength.tensile_strength, shear, 0}});
+  EXPECT_NEAR(specimen.point.cohesion, shear, 1e-6);
+  specimen.go_to({{0, full_slip, 0}}, 10000);
+  EXPECT_LE(specimen.shear(), shear);
+
+  Specimen sliding;
+  sliding.hold({{.4 * strength.tensile_strength, strength.cohesion, 0}});
+  EXPECT_EQ(sliding.point.cohesion, strength.cohesion);
+}
+
+TEST(MohrCoulomb, FrictionDoesNotFadeWithDamage)
+{
+  const double pressure = 10e6, tan = strength.tan_friction_angle;
+  for (const double share : {.2, .5, 2.})
+    {
+      Specimen specimen;
+      specimen.go_to({{share * full_opening, 0, 0}}, 5000);
+      const double f = specimen.point.softening;
+      specimen.go_to({{specimen.point.offset[0] - pressure / slope, 0, 0}},
+                     1000);
+      EXPECT_NEAR(specimen.point.traction[0], -pressure, 1e-6 * pressure);
+      EXPECT_EQ(specimen.point.softening, f);
+
+      // Just until it slides: more would soften the cohesion.
+      specimen.go_to(
+        {{specimen.jump[0],
+          (f * strength.cohesion + tan * pressure) / slope * 1.0001,
+          0}},
+        100000);
+      EXPECT_NEAR(specimen.shear(),
+                  specimen.point.softening * strength.cohesion + tan * pressure,
+                  1e-6 * strength.cohesion);
+      EXPECT_GE(specimen.shear(),
+                .999 * (f * strength.cohesion + tan * pressure));
+
+      // And to the end.
+      const double friction = specimen.friction;
+      specimen.go_to({{specimen.jump[0], 2 * full_slip, 0}}, 10000);
+      const double from = specimen.jump[1];
+      EXPECT_EQ(specimen.point.softening, 0);
+      EXPECT_NEAR(specimen.shear(), tan * pressure, 1e-9 * pressure);
+      const double before = specimen.friction;
+      EXPECT_GT(before, friction);
+      specimen.go_to({{specimen.jump[0], from - 2 * full_slip, 0}}, 10000);
+      // Back: first the elastic branch is turned round.
+      EXPECT_NEAR(specimen.friction - before,
+                  tan * pressure * (2 * full_slip - 2 * tan * pressure / slope),
+                  1e-3 * tan * pressure * full_slip);
+    }
+}
+
+TEST(MohrCoulomb, FailedPointClosesWhereItWasCut)
+{
+  Specimen specimen;
+  specimen.go_to({{2 * full_opening, .3 * full_slip, 0}}, 5000);
+  EXPECT_EQ(specimen.point.softening, 0);
+  for (const double opening : {1e-6, 1e-12})
+    {
+      specimen.step_to({{opening, .3 * full_slip, 0}});
+      EXPECT_EQ(specimen.point.traction[0], 0);
+    }
+  for (const double overlap : {1e-12, 1e-9, 1e-7})
+    {
+      specimen.step_to({{-overlap, .3 * full_slip, 0}});
+      EXPECT_NEAR(specimen.point.traction[0],
+                  -slope * overlap,
+                  1e-12 * slope * overlap);
+    }
+  specimen.step_to({{1e-12, .3 * full_slip, 0}});
+  EXPECT_EQ(specimen.point.traction[0], 0);
+}
+
+TEST(MohrCoulomb, LanesAreLikeNumbers)
+{
+  std::mt19937                           random(6);
+  std::uniform_real_distribution<double> value(-1, 1);
+  std::vector<Specimen>                  numbers(batch_size);
+  CohesivePoint<Simd>                    lanes{};
+  CohesiveConstants<Simd>                constants{};
+  for (unsigned int l = 0; l < batch_size; ++l)
+    {
+      numbers[l].hold({{2e6 * l, 1e6 * l, 5e6}});
+      const auto &p                   = numbers[l].point;
+      constants.stiffness[l]          = slope;
+      constants.tensile_strength[l]   = strength.tensile_strength;
+      constants.tan_friction_angle[l] = strength.tan_friction_angle;
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          lanes.offset[d][l]   = p.offset[d];
+          lanes.traction[d][l] = p.traction[d];
+        }
+      lanes.softening[l]       = p.softening;
+      lanes.cohesion[l]        = p.cohesion;
+      lanes.normal_excess[l]   = p.normal_excess;
+      lanes.shear_excess[l]    = p.shear_excess;
+      lanes.inverse_opening[l] = p.inverse_opening;
+      lanes.inverse_slip[l]    = p.inverse_slip;
+    }
+  const MohrCoulomb law;
+  for (unsigned int i = 0; i < 20000; ++i)
+    {
+      Vector3<Simd> jump;
+      for (unsigned int l = 0; l < batch_size; ++l)
+        {
+          Vector next = numbers[l].jump;
+          for (unsigned int d = 0; d < 3; ++d)
+            next[d] += 3e-3 * full_opening * value(random);
+          numbers[l].step_to(next);
+          for (unsigned int d = 0; d < 3; ++d)
+            jump[d][l] = next[d];
+        }
+      law.update(lanes, constants, jump);
+      for (unsigned int l = 0; l < batch_size; ++l)
+        {
+          ASSERT_NEAR(lanes.softening[l], numbers[l].point.softening, 1e-11);
+          for (unsigned int d = 0; d < 3; ++d)
+            ASSERT_NEAR(lanes.traction[d][l],
+                        numbers[l].point.traction[d],
+                        1e-9 * strength.cohesion);
+        }
+    }
+  // Some of them have softened.
+  EXPECT_TRUE(any(lanes.softening < .5));
+}
