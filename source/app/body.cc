@@ -36,10 +36,11 @@ namespace rift
       const auto known = names_of(parameters.materials);
       for (const std::string &name : mesh.material_names)
         if (!contains(known, name))
-          throw InputError("the mesh " + mesh.source + " has the material \"" +
-                           name + "\", but the scene has no subsection \"Material " +
-                           name + "\"." + suggestion(name, known) +
-                           " Add the subsection, or rename the physical volume.");
+          throw InputError(
+            "the mesh " + mesh.source + " has the material \"" + name +
+            "\", but the scene has no subsection \"Material " + name + "\"." +
+            suggestion(name, known) +
+            " Add the subsection, or rename the physical volume.");
       for (const std::string &name : known)
         if (!contains(mesh.material_names, name))
           throw InputError("subsection \"Material " + name +
@@ -87,7 +88,7 @@ namespace rift
       auto &[topology, reference, state] = body.discretization;
       for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
         {
-          const auto &material = body.materials[topology.material(cell)];
+          const auto &material    = body.materials[topology.material(cell)];
           const Vector3<double> v = material.initial_velocity;
           if (topology.is_padding(cell) || dot(v, v) == 0)
             continue;
@@ -109,7 +110,7 @@ namespace rift
   make_body(const Parameters &parameters, Log &log)
   {
     const MeshData mesh = make_mesh(parameters);
-    Body           body{{Topology({}, 0), {}, {}}, {}, {}};
+    Body           body{{Topology({}, 0), {}, {}}, {}, {}, {}};
     for (const std::string &name : mesh.material_names)
       for (const MaterialParameters &material : parameters.materials)
         if (material.name == name)
@@ -121,16 +122,20 @@ namespace rift
     body.discretization =
       discretize(*make_triangulation(mesh, MPI_COMM_WORLD), densities);
     for (std::size_t i = 0; i < mesh.surface_names.size(); ++i)
-      body.surfaces[mesh.surface_names[i]] =
-        find_surface(body.discretization.topology,
-                     mesh.boundary_faces,
-                     static_cast<std::uint16_t>(i));
+      {
+        const auto name    = static_cast<std::uint16_t>(i);
+        const auto surface = [&](const std::vector<NamedFace> &faces) {
+          return find_surface(body.discretization.topology, faces, name);
+        };
+        body.surfaces[mesh.surface_names[i]] = surface(mesh.boundary_faces);
+        body.internal_surfaces[mesh.surface_names[i]] =
+          surface(mesh.internal_faces);
+      }
     set_initial_velocity(body);
-    log.write("Mesh " + mesh.source + ": " +
-              std::to_string(body.discretization.topology.n_cells()) +
-              " cells, " +
-              std::to_string(body.discretization.topology.n_nodes()) +
-              " nodes");
+    log.write(
+      "Mesh " + mesh.source + ": " +
+      std::to_string(body.discretization.topology.n_cells()) + " cells, " +
+      std::to_string(body.discretization.topology.n_nodes()) + " nodes");
     return body;
   }
 } // namespace rift

@@ -25,8 +25,11 @@ namespace rift
       for (const MaterialParameters &material : snapshot.body.materials)
         densities.push_back(material.density);
       const Discretization &d = snapshot.body.discretization;
-      return find_fragments(
-        d.topology, d.reference, densities, d.state, velocity);
+      return find_fragments(d.topology,
+                            d.reference,
+                            densities,
+                            d.state,
+                            velocity);
     }
 
     /** The terms of the ledger with their names. */
@@ -56,7 +59,7 @@ namespace rift
     log.open(path("log.txt"));
     write_file_atomically(path("parameters.prm"), used_parameters(parameters));
 
-    const Discretization    &d = body.discretization;
+    const Discretization    &d       = body.discretization;
     std::vector<std::string> columns = {"time [s]"};
     for (const ProbeParameters &p : parameters.probes)
       {
@@ -154,16 +157,16 @@ namespace rift
       fragments_of(snapshot, velocity_at_step(d.state, snapshot.time_step));
     write_fragments(path("fragments.csv"), fragments);
 
-    summary.version             = RIFT_VERSION;
-    summary.cells               = d.topology.n_cells();
-    summary.nodes_initial       = initial_nodes;
-    summary.nodes_final         = d.topology.n_nodes();
-    summary.steps               = d.state.step;
-    summary.time                = d.state.time;
-    summary.time_step           = snapshot.time_step;
-    summary.peak_memory_bytes   = peak_memory_bytes();
-    summary.fragments           = fragments.list.size();
-    summary.energy              = named_energies(snapshot.ledger);
+    summary.version           = RIFT_VERSION;
+    summary.cells             = d.topology.n_cells();
+    summary.nodes_initial     = initial_nodes;
+    summary.nodes_final       = d.topology.n_nodes();
+    summary.steps             = d.state.step;
+    summary.time              = d.state.time;
+    summary.time_step         = snapshot.time_step;
+    summary.peak_memory_bytes = peak_memory_bytes();
+    summary.fragments         = fragments.list.size();
+    summary.energy            = named_energies(snapshot.ledger);
     summary.energy_residual_relative =
       snapshot.ledger.largest_relative_residual();
     summary.state_hash = state_hash(d.topology, d.state);

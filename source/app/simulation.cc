@@ -33,6 +33,12 @@ namespace rift
         laws.push_back(make_elasticity(material));
       return laws;
     }
+    std::string
+    place_text(const Vector3<double> &x)
+    {
+      return "(" + to_text(x[0]) + ", " + to_text(x[1]) + ", " + to_text(x[2]) +
+             ") m";
+    }
   } // namespace
 
   Simulation::Simulation(const Parameters &parameters, Log &log)
@@ -80,7 +86,7 @@ namespace rift
                          parameters.cohesive,
                          stiffnesses,
                          densities,
-                         critical.time_step);
+                         critical.frequency_squared);
         internal_force.watch(fracture->strengths.stress_bounds());
       }
     if (viscosity > 0)
@@ -108,22 +114,22 @@ namespace rift
   {
     std::vector<MaterialLimits> limits;
     for (std::size_t i = 0; i < body.materials.size(); ++i)
-      limits.push_back({body.materials[i].name,
-                        stiffness_matrix(laws[i]),
-                        densities[i],
-                        body.materials[i].viscosity,
-                        parameters.cohesive.model !=
-                              CohesiveParameters::Model::none &&
-                            body.materials[i].breakable ?
-                          parameters.cohesive.stiffness_factor :
-                          0});
+      limits.push_back(
+        {body.materials[i].name,
+         stiffness_matrix(laws[i]),
+         densities[i],
+         body.materials[i].viscosity,
+         parameters.cohesive.model != CohesiveParameters::Model::none &&
+             body.materials[i].breakable ?
+           parameters.cohesive.stiffness_factor :
+           0});
     critical = critical_time_step(body.discretization.topology,
                                   body.discretization.reference,
                                   limits);
 
     const TimeParameters &time = parameters.time;
-    dt = time.time_step > 0 ? time.time_step :
-                              time.safety_factor * critical.time_step;
+    dt                         = time.time_step > 0 ? time.time_step :
+                                                      time.safety_factor * critical.time_step;
     // A little tolerance, so that rounding does not add a step.
     last_step =
       static_cast<std::uint64_t>(std::ceil(time.end_time / dt * (1 - 1e-12)));
@@ -139,8 +145,8 @@ namespace rift
   Simulation::run()
   {
     FlushDenormals flush_denormals;
-    Progress       progress(log, topology().n_cells(), 0, parameters.time.end_time);
-    const auto     wall_start = timer.total();
+    Progress   progress(log, topology().n_cells(), 0, parameters.time.end_time);
+    const auto wall_start = timer.total();
     while (state().step < last_step)
       {
         step();
@@ -150,10 +156,10 @@ namespace rift
     progress.finish();
 
     Summary summary;
-    summary.time_step_limited_by  = critical.limited_by;
-    summary.wall_seconds          = timer.total();
-    summary.cell_steps_per_second = topology().n_cells() * state().step /
-                                    (timer.total() - wall_start);
+    summary.time_step_limited_by = critical.limited_by;
+    summary.wall_seconds         = timer.total();
+    summary.cell_steps_per_second =
+      topology().n_cells() * state().step / (timer.total() - wall_start);
     summary.wall_seconds_by_stage = timer.seconds();
     if (fracture)
       summary.faces_inserted = fracture->n_inserted;
@@ -288,9 +294,29 @@ namespace rift
       throw RunError(
         "energy runs away: " + to_text(ledger.residual()) +
         " J have come from nowhere, " + to_text(ledger.relative_residual()) +
-        " of the energy in play, more than the \"Largest energy residual\" of " +
+        " of the energy in play, more than the \"Largest energy residual\" "
+        "of " +
         to_text(parameters.time.largest_residual) + ", at " + moment_text() +
+        "; " + fastest_node_text() +
         ". Choose a smaller time step or safety factor (subsection Time).");
+  }
+
+  std::string
+  Simulation::fastest_node_text() const
+  {
+    NodeIndex fastest = 0;
+    double    square  = -1;
+    for (NodeIndex node = 0; node < topology().n_nodes(); ++node)
+      {
+        const Vector3<double> v = state().velocity[node].vector();
+        if (!(dot(v, v) <= square))
+          {
+            square  = dot(v, v);
+            fastest = node;
+          }
+      }
+    return "the fastest node moves with " + to_text(std::sqrt(square)) +
+           " m/s at " + place_text(state().position(fastest));
   }
 
   void
@@ -320,8 +346,8 @@ namespace rift
   std::string
   Simulation::moment_text() const
   {
-    return "step " + std::to_string(state().step) + ", t = " +
-           to_text(state().time) + " s, time step " +
+    return "step " + std::to_string(state().step) +
+           ", t = " + to_text(state().time) + " s, time step " +
            to_text(std::round(1000 * dt / critical.time_step) / 1000) +
            " times its safe bound";
   }
@@ -331,14 +357,12 @@ namespace rift
   {
     Vector3<double> centre = {{0, 0, 0}};
     for (unsigned int c = 0; c < n_corners; ++c)
-      centre += .25 * state()
-                        .reference[topology().node(failed.cell, c)]
-                        .vector();
+      centre +=
+        .25 * state().reference[topology().node(failed.cell, c)].vector();
     throw RunError(
       "cell " + std::to_string(topology().cell_global_indices[failed.cell]) +
-      " of " + body.materials[topology().material(failed.cell)].name +
-      " at (" + to_text(centre[0]) + ", " + to_text(centre[1]) + ", " +
-      to_text(centre[2]) + ") m has " + to_text(failed.volume_ratio) +
+      " of " + body.materials[topology().material(failed.cell)].name + " at " +
+      place_text(centre) + " has " + to_text(failed.volume_ratio) +
       " of its volume; below " + to_text(InternalForce::smallest_volume_ratio) +
       " the elastic law has no meaning. At " + moment_text() +
       ". Choose a smaller time step or safety factor, or a weaker load.");

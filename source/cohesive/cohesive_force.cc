@@ -11,13 +11,13 @@ namespace rift
                                const FaceStrengths         &strengths,
                                std::vector<StiffnessMatrix> stiffnesses,
                                std::vector<double>          densities,
-                               const double                 largest_time_step)
+                               const double                 frequency_limit)
     : topology(topology)
     , reference(reference)
     , strengths(strengths)
     , stiffnesses(std::move(stiffnesses))
     , densities(std::move(densities))
-    , largest_time_step(largest_time_step)
+    , frequency_limit(frequency_limit)
     , index_of_face(topology.faces.size(), invalid_index)
   {
   }
@@ -126,11 +126,11 @@ namespace rift
                              const std::size_t  index,
                              const unsigned int point) const
   {
-    const CohesiveBatch &batch    = cohesive_faces.batches[index / batch_size];
-    const unsigned int   lane     = index % batch_size;
-    const auto           jump     = FaceKinematics(batch, state).jump_at(quadrature, point);
-    const auto          &traction = batch.points[point].traction;
-    PointState           result;
+    const CohesiveBatch &batch = cohesive_faces.batches[index / batch_size];
+    const unsigned int   lane  = index % batch_size;
+    const auto  jump = FaceKinematics(batch, state).jump_at(quadrature, point);
+    const auto &traction = batch.points[point].traction;
+    PointState  result;
     for (unsigned int d = 0; d < dim; ++d)
       {
         result.jump[d]     = jump[d][lane];

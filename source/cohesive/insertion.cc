@@ -1,5 +1,6 @@
 #include <rift/cohesive/insertion.h>
 #include <rift/mesh/mesh_data.h>
+#include <rift/solid/cell_kernel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,7 @@ namespace rift
     , reference(reference)
     , internal_force(internal_force)
     , strengths(strengths)
-    , hot_lanes(topology.n_batches(), 0)
+    , bounds(strengths.stress_bounds())
     , stress_position(topology.n_batches(), invalid_index)
   {
   }
@@ -23,49 +24,90 @@ namespace rift
   Insertion::find_faces(const State                  &state,
                         const std::vector<CellIndex> &hot_cells)
   {
-    std::vector<FaceIndex> faces;
+    std::vector<FaceIndex>              faces;
+    std::uint32_t                       current_batch = invalid_index;
+    std::array<std::uint8_t, n_corners> near{};
     for (const CellIndex cell : hot_cells)
-      hot_lanes[cell / batch_size] |= 1u << (cell % batch_size);
-
-    for (const CellIndex cell : hot_cells)
-      for (const FaceIndex face : topology.cell_faces[cell])
-        {
-          if (face == invalid_index ||
-              topology.face_states[face] != FaceState::intact ||
-              !strengths.is_breakable(face))
-            continue;
-          // A face between two hot cells is looked at from the first.
-          const CellIndex other = topology.neighbour(face, cell);
-          const bool      other_is_hot =
-            (hot_lanes[other / batch_size] >> (other % batch_size)) & 1;
-          if (other_is_hot && other < cell)
-            continue;
-          if (is_at_strength(state, face))
-            faces.push_back(face);
-        }
-
-    for (const CellIndex cell : hot_cells)
-      hot_lanes[cell / batch_size] = 0;
+      {
+        const std::uint32_t batch = cell / batch_size;
+        if (batch != current_batch)
+          near = near_strength(batch, batch_stress(state, batch));
+        current_batch = batch;
+        for (unsigned int f = 0; f < n_corners; ++f)
+          {
+            const FaceIndex face = topology.cell_faces[cell][f];
+            if (((near[f] >> (cell % batch_size)) & 1) &&
+                face != invalid_index &&
+                topology.face_states[face] == FaceState::intact &&
+                strengths.is_breakable(face) && is_at_strength(state, face))
+              faces.push_back(face);
+          }
+      }
     for (const std::uint32_t batch : computed_batches)
       stress_position[batch] = invalid_index;
     computed_batches.clear();
     stresses.clear();
+
+    // A face may have been found from both of its sides.
     std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     return faces;
+  }
+
+  std::array<std::uint8_t, n_corners>
+  Insertion::near_strength(const std::uint32_t               batch,
+                           const InternalForce::BatchStress &stress) const
+  {
+    // Along the normals of the undeformed faces: the difference to the current
+    // ones is within the margin of the bound, as long as strains are small.
+    const StressBound   &bound = *bounds[topology.batch_materials[batch]];
+    const Matrix3<Simd> &g     = reference[batch].gradients;
+    const Simd           zero{};
+    const SimdMask       is_large = contract(stress.strain, stress.strain) >
+                              StressBound::small_strain_squared;
+
+    std::array<std::uint8_t, n_corners> result{};
+    for (unsigned int f = 0; f < n_corners; ++f)
+      {
+        const Vector3<Simd> n =
+          f > 0 ? g[f - 1] : (zero - 1.) * (g[0] + g[1] + g[2]);
+        Vector3<Simd> traction;
+        for (unsigned int i = 0; i < dim; ++i)
+          traction[i] = stress.second[voigt[i][0]] * n[0] +
+                        stress.second[voigt[i][1]] * n[1] +
+                        stress.second[voigt[i][2]] * n[2];
+        // n is not of unit length: all stresses times its square.
+        const Simd square = dot(n, n);
+        const Simd normal = dot(traction, n);
+        const Simd shear_squared =
+          dot(traction, traction) * square - normal * normal;
+        const Simd shear_limit = bound.cohesion * square -
+                                 bound.tan_friction_angle * min(normal, zero);
+        const SimdMask mask = (normal >= bound.tensile_strength * square) |
+                              (shear_squared >= shear_limit * shear_limit) |
+                              is_large;
+        for (unsigned int lane = 0; lane < batch_size; ++lane)
+          result[f] |= (mask[lane] & 1) << lane;
+      }
+    return result;
+  }
+
+  const InternalForce::BatchStress &
+  Insertion::batch_stress(const State &state, const std::uint32_t batch)
+  {
+    if (stress_position[batch] == invalid_index)
+      {
+        stress_position[batch] = static_cast<std::uint32_t>(stresses.size());
+        computed_batches.push_back(batch);
+        stresses.push_back(internal_force.stress(state, batch));
+      }
+    return stresses[stress_position[batch]];
   }
 
   Matrix3<double>
   Insertion::stress(const State &state, const CellIndex cell)
   {
-    const std::uint32_t batch = cell / batch_size;
-    if (stress_position[batch] == invalid_index)
-      {
-        stress_position[batch] = static_cast<std::uint32_t>(stresses.size());
-        computed_batches.push_back(batch);
-        stresses.push_back(
-          internal_force.first_piola_kirchhoff_stress(state, batch));
-      }
-    const Matrix3<Simd> &p = stresses[stress_position[batch]];
+    const Matrix3<Simd> &p = batch_stress(state, cell / batch_size).first;
     Matrix3<double>      result;
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int d = 0; d < dim; ++d)

@@ -147,10 +147,9 @@ namespace rift
   {
     // A corner of mass m moves against the face with a stiffness of
     // k area / 3 on either side, hence omega^2 = 2 k area / (3 m). Three such
-    // faces at a corner take what the cell itself leaves of 4 / dt^2.
-    const Face  &face     = topology.faces[index];
-    const double limit    = 4 / (largest_time_step * largest_time_step);
-    double       smallest = std::numeric_limits<double>::max();
+    // faces at a corner take what the cell itself leaves of the limit.
+    const Face &face     = topology.faces[index];
+    double      smallest = std::numeric_limits<double>::max();
     for (const CellIndex cell : face.cells)
       {
         const auto  &batch    = reference[cell / batch_size];
@@ -162,7 +161,7 @@ namespace rift
                                                          lane,
                                                          stiffnesses[material],
                                                          densities[material]);
-        smallest             = std::min(smallest, mass * (limit - of_cell) / 3);
+        smallest = std::min(smallest, mass * (frequency_limit - of_cell) / 3);
       }
     return 1.5 * smallest / area;
   }

@@ -13,12 +13,6 @@ namespace rift
      */
     constexpr double safe_strain_squared = .02;
 
-    /**
-     * Up to this squared norm of the strain, stresses in the reference and in
-     * the current frame differ by less than the margin of a StressBound.
-     */
-    constexpr double small_strain_squared = 1e-3;
-
     /** The constants of a StressBound in the form that hot_lanes() needs. */
     struct HotCheck
     {
@@ -45,7 +39,8 @@ namespace rift
         const Simd shear    = max(cohesion - friction * mean, zero);
         const Simd allowed  = min(1.5 * tension * tension,
                                  inverse_shear_factor_squared * shear * shear);
-        return (deviator >= allowed) | (strain_squared > small_strain_squared);
+        return (deviator >= allowed) |
+               (strain_squared > StressBound::small_strain_squared);
       }
 
       double tensile_strength, cohesion, friction, inverse_shear_factor_squared;
@@ -142,36 +137,34 @@ namespace rift
     return failed;
   }
 
-  Matrix3<Simd>
-  InternalForce::first_piola_kirchhoff_stress(const State      &state,
-                                              const std::size_t batch) const
+  InternalForce::BatchStress
+  InternalForce::stress(const State &state, const std::size_t batch) const
   {
-    const Matrix3<Simd> h =
+    BatchStress result;
+    result.gradient =
       gradient(reference[batch], topology.batches[batch], state.displacement);
-    return std::visit(
-      [&](const auto &law) {
-        return first_piola_kirchhoff(h, law.stress(green_lagrange_strain(h)));
-      },
-      laws[topology.batch_materials[batch]]);
+    result.strain = green_lagrange_strain(result.gradient);
+    result.second =
+      std::visit([&](const auto &law) { return law.stress(result.strain); },
+                 laws[topology.batch_materials[batch]]);
+    result.first = first_piola_kirchhoff(result.gradient, result.second);
+    return result;
   }
 
   SymmetricTensor<double>
   InternalForce::cauchy_stress(const State &state, const CellIndex cell) const
   {
     // sigma = P F^T / J
-    const std::size_t  b    = cell / batch_size;
-    const unsigned int lane = cell % batch_size;
-    const auto         p    = first_piola_kirchhoff_stress(state, b);
-    const auto         h =
-      gradient(reference[b], topology.batches[b], state.displacement);
-    const double            ratio = volume_ratio(h)[lane];
+    const unsigned int      lane  = cell % batch_size;
+    const BatchStress       batch = stress(state, cell / batch_size);
+    const double            ratio = volume_ratio(batch.gradient)[lane];
     SymmetricTensor<double> sigma{};
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = i; j < dim; ++j)
         {
-          double sum = p[i][j][lane];
+          double sum = batch.first[i][j][lane];
           for (unsigned int d = 0; d < dim; ++d)
-            sum += p[i][d][lane] * h[j][d][lane];
+            sum += batch.first[i][d][lane] * batch.gradient[j][d][lane];
           sigma[voigt[i][j]] = sum / ratio;
         }
     return sigma;

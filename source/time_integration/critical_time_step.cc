@@ -2,7 +2,6 @@
 #include <rift/time_integration/critical_time_step.h>
 
 #include <cmath>
-#include <limits>
 
 namespace rift
 {
@@ -19,28 +18,20 @@ namespace rift
       return result;
     }
 
-    double
-    bound_of_cell(const ReferenceBatch &reference,
-                  const unsigned int    lane,
-                  const MaterialLimits &limits)
+    /** Calls f(cell, its batch, its lane, the limits of its material). */
+    template <typename Function>
+    void
+    for_each_cell(const Topology                    &topology,
+                  const ReferenceCellData           &reference,
+                  const std::vector<MaterialLimits> &limits,
+                  const Function                    &f)
     {
-      // Three cohesive faces meet at each corner of a loose cell.
-      const double omega =
-        std::sqrt(largest_frequency_squared(reference,
-                                            lane,
-                                            limits.stiffness,
-                                            limits.density) *
-                  (1 + 3 * limits.cohesive_stiffness_factor));
-      if (limits.viscosity == 0)
-        return 2 / omega;
-      const double rate =
-        largest_frequency_squared(reference,
-                                  lane,
-                                  viscosity_matrix(limits.viscosity),
-                                  limits.density);
-      const double damping_ratio = rate / (2 * omega);
-      return 2 / omega *
-             (std::sqrt(1 + damping_ratio * damping_ratio) - damping_ratio);
+      for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
+        if (!topology.is_padding(cell))
+          f(cell,
+            reference[cell / batch_size],
+            cell % batch_size,
+            limits[topology.material(cell)]);
     }
   } // namespace
 
@@ -49,21 +40,53 @@ namespace rift
                      const ReferenceCellData           &reference,
                      const std::vector<MaterialLimits> &limits)
   {
-    CriticalTimeStep result{std::numeric_limits<double>::max(),
-                            invalid_index,
-                            ""};
-    for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
-      if (!topology.is_padding(cell))
-        {
-          const double bound = bound_of_cell(reference[cell / batch_size],
-                                             cell % batch_size,
-                                             limits[topology.material(cell)]);
-          if (bound < result.time_step)
-            {
-              result.time_step = bound;
-              result.cell      = cell;
-            }
-        }
+    CriticalTimeStep result{0, invalid_index, 0, ""};
+    for_each_cell(
+      topology,
+      reference,
+      limits,
+      [&result](const CellIndex       cell,
+                const ReferenceBatch &batch,
+                const unsigned int    lane,
+                const MaterialLimits &of) {
+        // Three cohesive faces meet at each corner of a loose
+        // cell.
+        const double frequency_squared =
+          largest_frequency_squared(batch, lane, of.stiffness, of.density) *
+          (1 + 3 * of.cohesive_stiffness_factor);
+        if (frequency_squared > result.frequency_squared)
+          {
+            result.frequency_squared = frequency_squared;
+            result.cell              = cell;
+          }
+      });
+    // Elastic branches may bring any breakable cell up to this frequency,
+    // whatever its own is, so that viscosity must be stable together with it.
+    const double omega = std::sqrt(result.frequency_squared);
+    result.time_step   = 2 / omega;
+    for_each_cell(topology,
+                  reference,
+                  limits,
+                  [&result, omega](const CellIndex       cell,
+                                   const ReferenceBatch &batch,
+                                   const unsigned int    lane,
+                                   const MaterialLimits &of) {
+                    if (of.viscosity == 0)
+                      return;
+                    const double rate =
+                      largest_frequency_squared(batch,
+                                                lane,
+                                                viscosity_matrix(of.viscosity),
+                                                of.density);
+                    const double ratio = rate / (2 * omega);
+                    const double bound =
+                      2 / omega * (std::sqrt(1 + ratio * ratio) - ratio);
+                    if (bound < result.time_step)
+                      {
+                        result.time_step = bound;
+                        result.cell      = cell;
+                      }
+                  });
     const MaterialLimits &of = limits[topology.material(result.cell)];
     result.limited_by =
       "cell " + std::to_string(topology.cell_global_indices[result.cell]) +

@@ -18,8 +18,11 @@ namespace rift
     /** By material index of the mesh. */
     std::vector<MaterialParameters> materials;
 
-    /** The named surfaces of the body. */
+    /** The named parts of its outer surface. */
     std::map<std::string, Surface> surfaces;
+
+    /** Named faces inside of it, such as joints; one side of each. */
+    std::map<std::string, Surface> internal_surfaces;
   };
 
   /**

@@ -85,7 +85,7 @@ namespace rift
                const CohesiveParameters              &parameters,
                const std::vector<StiffnessMatrix>    &stiffnesses,
                const std::vector<double>             &densities,
-               const double                           largest_time_step)
+               const double                           frequency_limit)
         : strengths(topology, materials, parameters)
         , insertion(topology, reference, internal_force, strengths)
         , force(topology,
@@ -93,8 +93,9 @@ namespace rift
                 strengths,
                 stiffnesses,
                 densities,
-                largest_time_step)
-      {}
+                frequency_limit)
+      {
+      }
 
       FaceStrengths strengths;
       Insertion     insertion;
@@ -128,6 +129,10 @@ namespace rift
     std::string
     moment_text() const;
 
+    /** "the fastest node moves with 7 m/s at (0, 0, 0) m" */
+    std::string
+    fastest_node_text() const;
+
     Snapshot
     snapshot() const;
 
@@ -136,14 +141,14 @@ namespace rift
     Log             &log;
     Body             body;
 
-    std::vector<double>      densities;
-    std::vector<Elasticity>  laws;
-    InternalForce            internal_force;
-    Activity                 activity;
-    std::optional<Fracture>  fracture;
-    std::optional<Damping>   damping;
-    std::vector<SurfaceLoad> surface_loads;
-    std::optional<BodyForce> body_force;
+    std::vector<double>             densities;
+    std::vector<Elasticity>         laws;
+    InternalForce                   internal_force;
+    Activity                        activity;
+    std::optional<Fracture>         fracture;
+    std::optional<Damping>          damping;
+    std::vector<SurfaceLoad>        surface_loads;
+    std::optional<BodyForce>        body_force;
     std::optional<PrescribedMotion> prescribed_motion;
 
     CriticalTimeStep critical{};

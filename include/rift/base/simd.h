@@ -132,16 +132,16 @@ namespace rift
   }
 
   /**
-   * Reads the vectors of eight nodes and transposes them: component d of node
-   * `nodes[lane]` comes to lane `lane` of `result[d]`.
+   * Reads eight rows of four numbers and transposes them: number d of row
+   * `rows[lane]` comes to lane `lane` of `result[d]`.
    */
-  inline Vector3<Simd>
-  gather(const NodalVector *data, const NodeIndex *nodes)
+  inline std::array<Simd, 4>
+  gather_rows(const NodalVector *data, const std::uint32_t *rows)
   {
     static_assert(batch_size == 8, "the shuffles below are for eight lanes");
     const auto pair = [&](const unsigned int lane) {
-      const Row low  = data[nodes[lane]].row(),
-                high = data[nodes[lane + 4]].row();
+      const Row low  = data[rows[lane]].row();
+      const Row high = data[rows[lane + 4]].row();
       return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
     };
     const Simd a = pair(0), b = pair(1), c = pair(2), d = pair(3);
@@ -153,7 +153,16 @@ namespace rift
     return {
       {__builtin_shufflevector(ab_02, cd_02, 0, 1, 8, 9, 4, 5, 12, 13),
        __builtin_shufflevector(ab_13, cd_13, 0, 1, 8, 9, 4, 5, 12, 13),
-       __builtin_shufflevector(ab_02, cd_02, 2, 3, 10, 11, 6, 7, 14, 15)}};
+       __builtin_shufflevector(ab_02, cd_02, 2, 3, 10, 11, 6, 7, 14, 15),
+       __builtin_shufflevector(ab_13, cd_13, 2, 3, 10, 11, 6, 7, 14, 15)}};
+  }
+
+  /** The vectors of eight nodes, component by component; see gather_rows(). */
+  inline Vector3<Simd>
+  gather(const NodalVector *data, const NodeIndex *nodes)
+  {
+    const auto rows = gather_rows(data, nodes);
+    return {{rows[0], rows[1], rows[2]}};
   }
 
   /** The transpose of gather(): one row (x, y, z, 0) for each lane. */

@@ -35,15 +35,16 @@ namespace rift
   public:
     /**
      * @param stiffnesses, densities of each material, and
-     * @param largest_time_step at which the elastic branches must be stable,
-     *   s: they are as stiff as that allows.
+     * @param frequency_limit square of the frequency up to which the elastic
+     *   branches may take a loose cell, 1/s^2: they are as stiff as that
+     *   allows.
      */
     CohesiveForce(Topology                    &topology,
                   const ReferenceCellData     &reference,
                   const FaceStrengths         &strengths,
                   std::vector<StiffnessMatrix> stiffnesses,
                   std::vector<double>          densities,
-                  double                       largest_time_step);
+                  double                       frequency_limit);
 
     /**
      * Takes in what a split has changed: the nodes of the faces around the
@@ -157,7 +158,7 @@ namespace rift
     const FaceStrengths               &strengths;
     const std::vector<StiffnessMatrix> stiffnesses;
     const std::vector<double>          densities;
-    const double                       largest_time_step;
+    const double                       frequency_limit;
     const FaceQuadrature               quadrature;
     const MohrCoulomb                  law;
 

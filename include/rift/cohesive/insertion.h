@@ -36,25 +36,35 @@ namespace rift
     find_faces(const State &state, const std::vector<CellIndex> &hot_cells);
 
   private:
+    /**
+     * Faces of a batch on which the stress of the cell itself comes near the
+     * smallest strength of its material, one bit for each lane: at a face that
+     * is at its strength that is so on one of its sides at least.
+     */
+    std::array<std::uint8_t, n_corners>
+    near_strength(std::uint32_t                     batch,
+                  const InternalForce::BatchStress &stress) const;
+
     /** Nominal stress of a cell; batches are computed once per call. */
     Matrix3<double>
     stress(const State &state, CellIndex cell);
 
+    const InternalForce::BatchStress &
+    batch_stress(const State &state, std::uint32_t batch);
+
     bool
     is_at_strength(const State &state, FaceIndex face);
 
-    const Topology          &topology;
-    const ReferenceCellData &reference;
-    const InternalForce     &internal_force;
-    const FaceStrengths     &strengths;
-
-    /** One bit for each lane of each batch: whether the cell is hot. */
-    std::vector<std::uint8_t> hot_lanes;
+    const Topology                               &topology;
+    const ReferenceCellData                      &reference;
+    const InternalForce                          &internal_force;
+    const FaceStrengths                          &strengths;
+    const std::vector<std::optional<StressBound>> bounds;
 
     /** Where the stress of a batch stands in `stresses`. */
-    std::vector<std::uint32_t> stress_position;
-    std::vector<std::uint32_t> computed_batches;
-    std::vector<Matrix3<Simd>> stresses;
+    std::vector<std::uint32_t>              stress_position;
+    std::vector<std::uint32_t>              computed_batches;
+    std::vector<InternalForce::BatchStress> stresses;
   };
 } // namespace rift
 

@@ -19,6 +19,12 @@ namespace rift
    */
   struct StressBound
   {
+    /**
+     * Up to this squared norm of the strain, stresses in the reference and in
+     * the current frame differ by less than the margin.
+     */
+    static constexpr double small_strain_squared = 1e-3;
+
     /** Smallest strengths of the faces, times a margin, Pa. */
     double tensile_strength;
     double cohesion;
@@ -75,9 +81,20 @@ namespace rift
       return hot;
     }
 
-    /** First Piola-Kirchhoff stress of a batch of cells, Pa. */
-    Matrix3<Simd>
-    first_piola_kirchhoff_stress(const State &state, std::size_t batch) const;
+    /** Strain and stress of a batch of cells. */
+    struct BatchStress
+    {
+      /** Displacement gradient and Green-Lagrange strain. */
+      Matrix3<Simd>         gradient;
+      SymmetricTensor<Simd> strain;
+
+      /** Second and first Piola-Kirchhoff stress, Pa. */
+      SymmetricTensor<Simd> second;
+      Matrix3<Simd>         first;
+    };
+
+    BatchStress
+    stress(const State &state, std::size_t batch) const;
 
     /** Cauchy stress of one cell, Pa. */
     SymmetricTensor<double>

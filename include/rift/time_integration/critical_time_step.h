@@ -27,6 +27,12 @@ namespace rift
     double    time_step;
     CellIndex cell;
 
+    /**
+     * Square of the largest frequency of any loose cell with its cohesive
+     * faces, 1/s^2: up to this the elastic branches may be stiff.
+     */
+    double frequency_squared;
+
     /** For the log: "cell 17 of granite, cohesive stiffness included". */
     std::string limited_by;
   };

@@ -285,11 +285,11 @@ namespace rift
           (opening * flow.opening_rate * point.inverse_opening +
            slip * flow.slip_rate * point.inverse_slip) /
           max(damage, zero + 1e-300);
-        const Number residual = share - softening.value(inside);
-        const Number gain =
-          select(damage < one, -softening.slope(inside) * damage_rate, zero);
-        share = share - residual / (1. - gain);
-        share = max(min(share, point.softening), zero);
+        const auto   f        = softening(inside);
+        const Number residual = share - f.value;
+        const Number gain = select(damage < one, -f.slope * damage_rate, zero);
+        share             = share - residual / (1. - gain);
+        share             = max(min(share, point.softening), zero);
       }
 
     const auto flow = flow_at(point, constants, share, normal, shear, friction);
