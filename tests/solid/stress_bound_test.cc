@@ -1,0 +1,286 @@
+// The filter that finds cells near their strength never misses one.
+
+#include "../support/single_cell.h"
+#include <gtest/gtest.h>
+
+using namespace rift;
+using namespace rift::test;
+
+namespace
+{
+  /** Directions over half a sphere, evenly spread. */
+  std::vector<Vector3<double>>
+  directions(const unsigned int n)
+  {
+    std::vector<Vector3<double>> result;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const double z = (i + .5) / n, r = std::sqrt(1 - z * z);
+        const double angle = i * M_PI * (3 - std::sqrt(5.));
+        result.push_back({{r * std::cos(angle), r * std::sin(angle), z}});
+      }
+    return result;
+  }
+
+  /** Strengths that a stress just reaches on some plane. */
+  struct Reached
+  {
+    double tension, cohesion;
+  };
+
+  Reached
+  reached_strengths(const Matrix3<double>              &sigma,
+                    const double                        tan_friction,
+                    const std::vector<Vector3<double>> &normals)
+  {
+    Reached result{0, 0};
+    for (const auto &n : normals)
+      {
+        const Vector3<double> traction = sigma * n;
+        const double          normal   = dot(traction, n);
+        const double          shear    = norm(traction - normal * n);
+        result.tension                 = std::max(result.tension, normal);
+        result.cohesion                = std::max(result.cohesion,
+                                   shear + tan_friction * std::min(normal, 0.));
+      }
+    return result;
+  }
+
+  /** One cell whose gradient is prescribed. */
+  struct WatchedCell
+  {
+    explicit WatchedCell(const MaterialParameters &material)
+      : body(make_regular_cell(), material)
+    {
+    }
+
+    bool
+    is_hot(const StressBound &bound)
+    {
+      body.force.watch({bound});
+      EXPECT_FALSE(body.force.add_to(body.state, body.activity));
+      const auto &hot = body.force.hot_cells();
+      EXPECT_LE(hot.size(), 1u);
+      EXPECT_TRUE(hot.empty() || hot[0] == 0);
+      return !hot.empty();
+    }
+
+    ElasticBody body;
+  };
+
+  constexpr double never = 1e30;
+
+  StressBound
+  bound_of(const double tension, const double cohesion, const double tan)
+  {
+    return {tension, cohesion, tan, 1 / std::sqrt(1 + tan * tan)};
+  }
+
+  /** A strain of any shape, with a part that is more or less volumetric. */
+  Matrix3<double>
+  random_gradient(Random &random, const double size)
+  {
+    std::uniform_real_distribution<double> share(-1, 1);
+    Matrix3<double>                        h = random_matrix(random);
+    const double mean       = (h[0][0] + h[1][1] + h[2][2]) / 3;
+    const double volumetric = 2 * share(random);
+    for (unsigned int i = 0; i < 3; ++i)
+      h[i][i] += volumetric - mean;
+    double square = 0;
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        square += std::pow((h[i][j] + h[j][i]) / 2, 2);
+    for (auto &row : h)
+      row = (size / std::sqrt(square)) * row;
+    return h;
+  }
+
+  /** Compression by `size`, its deviator `share` of all. */
+  Matrix3<double>
+  compressed_gradient(Random &random, const double size, const double share)
+  {
+    Matrix3<double> h = random_matrix(random);
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < i; ++j)
+        h[j][i] = h[i][j];
+    const double mean   = (h[0][0] + h[1][1] + h[2][2]) / 3;
+    double       square = 0;
+    for (unsigned int i = 0; i < 3; ++i)
+      {
+        h[i][i] -= mean;
+        square += dot(h[i], h[i]);
+      }
+    for (unsigned int i = 0; i < 3; ++i)
+      {
+        h[i] = (size * share / std::sqrt(square)) * h[i];
+        h[i][i] -= size * std::sqrt((1 - share * share) / 3);
+      }
+    return h;
+  }
+
+  /**
+   * Number of misses of cells that reach 1/0.9 of the bound, for strains whose
+   * norm is up to `largest_strain`.
+   */
+  unsigned int
+  count_misses(const MaterialParameters &material,
+               const Tensor4            &tensor,
+               const double              largest_strain,
+               const unsigned int        n_samples,
+               Random                   &random)
+  {
+    const auto                             normals = directions(400);
+    std::uniform_real_distribution<double> unit(0, 1);
+    WatchedCell                            cell(material);
+    unsigned int                           n_misses = 0;
+    for (unsigned int n = 0; n < n_samples; ++n)
+      {
+        const double size = largest_strain * std::pow(10, -4 * unit(random));
+        const auto   h =
+          rotated(random_rotation(random), random_gradient(random, size));
+        const double tan     = std::tan(unit(random) * M_PI / 3);
+        const auto   sigma   = stresses_of(tensor, h).cauchy;
+        const auto   reached = reached_strengths(sigma, tan, normals);
+        impose_gradient(cell.body.state, h);
+        const double margin = .9 * (1 - 1e-9);
+        if (reached.tension > 0 &&
+            !cell.is_hot(bound_of(margin * reached.tension, never, tan)))
+          ++n_misses;
+        if (reached.cohesion > 0 &&
+            !cell.is_hot(bound_of(never, margin * reached.cohesion, tan)))
+          ++n_misses;
+      }
+    return n_misses;
+  }
+} // namespace
+
+TEST(StressBound, NeverMissesSmallStrains)
+{
+  Random             random(1);
+  MaterialParameters material = random_anisotropic(random);
+  EXPECT_EQ(
+    count_misses(material, stiffness_tensor(material), 1e-3, 50000, random),
+    0u);
+}
+
+TEST(StressBound, NeverMissesFiniteStrains)
+{
+  Random             random(2);
+  MaterialParameters material = random_anisotropic(random);
+  EXPECT_EQ(
+    count_misses(material, stiffness_tensor(material), 6e-2, 50000, random),
+    0u);
+}
+
+TEST(StressBound, NeverMissesShearUnderStrongPressure)
+{
+  // Here the stress in the current and in the reference frame differ most, and
+  // the strength is a small difference of shear and friction.
+  Random                                 random(3);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const auto                             normals  = directions(400);
+  unsigned int                           n_misses = 0, n_reached = 0;
+  for (const double nu : {.1, .2, .3, .4})
+    {
+      MaterialParameters material = granite();
+      material.poissons_ratio     = nu;
+      WatchedCell cell(material);
+      for (unsigned int n = 0; n < 20000; ++n)
+        {
+          const auto h =
+            compressed_gradient(random, .032 * unit(random), unit(random));
+          impose_gradient(cell.body.state, h);
+          const auto      s = cell.body.force.cauchy_stress(cell.body.state, 0);
+          Matrix3<double> sigma;
+          for (unsigned int i = 0; i < 3; ++i)
+            for (unsigned int j = 0; j < 3; ++j)
+              sigma[i][j] = s[place(i, j)];
+          const double tan     = std::tan(unit(random) * 70 * M_PI / 180);
+          const auto   reached = reached_strengths(sigma, tan, normals);
+          if (reached.cohesion <= 0)
+            continue;
+          ++n_reached;
+          const double margin = .9 * (1 - 1e-9);
+          if (!cell.is_hot(bound_of(never, margin * reached.cohesion, tan)))
+            ++n_misses;
+        }
+    }
+  EXPECT_EQ(n_misses, 0u);
+  EXPECT_GT(n_reached, 20000u);
+}
+
+TEST(StressBound, UniaxialTensionIsHotAtTheBound)
+{
+  WatchedCell  cell(granite());
+  const double strain = 1e-6, tension = 40.6e9 * strain;
+  for (const auto &r : {unit_matrix, rotation({{.6, 0, .8}}, 1.)})
+    {
+      const Matrix3<double> h = product(
+        product(
+          r,
+          {{{{strain, 0, 0}}, {{0, -.2 * strain, 0}}, {{0, 0, -.2 * strain}}}}),
+        transpose(r));
+      impose_gradient(cell.body.state, h);
+      EXPECT_TRUE(cell.is_hot(bound_of(.999 * tension, never, 1)));
+      EXPECT_FALSE(cell.is_hot(bound_of(1.001 * tension, never, 1)));
+      EXPECT_TRUE(cell.is_hot(bound_of(never, .4 * tension, 0)));
+      EXPECT_FALSE(cell.is_hot(bound_of(never, .7 * tension, 0)));
+    }
+}
+
+TEST(StressBound, PressureIsNeverHot)
+{
+  WatchedCell cell(granite());
+  impose_gradient(cell.body.state,
+                  {{{{-1e-3, 0, 0}}, {{0, -1e-3, 0}}, {{0, 0, -1e-3}}}});
+  EXPECT_FALSE(cell.is_hot(bound_of(1, 1e6, .1)));
+  impose_gradient(cell.body.state, {});
+  EXPECT_FALSE(cell.is_hot(bound_of(1, 1, .1)));
+}
+
+TEST(StressBound, ListsCellsOfWatchedMaterialsInOrder)
+{
+  // Three slabs; the one in the middle is not watched.
+  Body box = make_box({{2, 2, 6}});
+  for (LocalCell &cell : box.cells)
+    cell.material = box.vertices[cell.vertices[0]][2] < 2 ? 0 :
+                    box.vertices[cell.vertices[0]][2] < 4 ? 1 :
+                                                            2;
+  DiscreteBody  body = discretize(box, {1, 1, 1});
+  const auto    law  = make_elasticity(granite());
+  InternalForce force(body.topology, body.reference, {law, law, law});
+  Activity      activity(body.topology);
+  activity.wake_all(body.topology);
+  force.watch({bound_of(3e6, never, 1), {}, bound_of(4e6, never, 1)});
+
+  // Tension grows along x.
+  for (std::size_t i = 0; i < body.state.n_nodes(); ++i)
+    body.state.displacement[i][0] =
+      .5e-4 * std::pow(body.state.reference[i][0], 2);
+  EXPECT_FALSE(force.add_to(body.state, activity));
+  std::vector<CellIndex> expected;
+  for (CellIndex cell = 0; cell < body.topology.n_cell_slots(); ++cell)
+    {
+      const unsigned int material = body.topology.material(cell);
+      if (body.topology.is_padding(cell) || material == 1)
+        continue;
+      const auto s = force.cauchy_stress(body.state, cell);
+      // Tension alone counts here: largest principal stress within 1e-3.
+      const Matrix3<double> sigma = {
+        {{{s[0], s[5], s[4]}}, {{s[5], s[1], s[3]}}, {{s[4], s[3], s[2]}}}};
+      const double tension =
+        reached_strengths(sigma, 0, directions(2000)).tension;
+      const double limit = material == 0 ? 3e6 : 4e6;
+      if (tension > limit)
+        expected.push_back(cell);
+    }
+  ASSERT_GT(expected.size(), 20u);
+  EXPECT_LT(expected.size(), body.topology.n_cells() / 2);
+  // The filter may list a few more, but none of the middle, and in order.
+  const auto &hot = force.hot_cells();
+  EXPECT_TRUE(std::is_sorted(hot.begin(), hot.end()));
+  EXPECT_TRUE(
+    std::includes(hot.begin(), hot.end(), expected.begin(), expected.end()));
+  for (const CellIndex cell : hot)
+    EXPECT_NE(body.topology.material(cell), 1);
+}
