@@ -26,10 +26,11 @@ namespace rift
     declare_number(prm,
                    "Stiffness factor",
                    defaults.stiffness_factor,
-                   "Slope of the elastic branch of a cohesive element and of "
-                   "its penalty against overlap, as a fraction of what the "
-                   "cells beside it bear: it raises the square of the largest "
-                   "frequency of a cell by this factor. Units: 1.");
+                   "Room that the automatic time step leaves for cohesive "
+                   "elements: the square of the largest frequency of a loose "
+                   "cell may grow by three times this factor. Elastic branches "
+                   "and penalties against overlap are as stiff as that allows; "
+                   "the time step falls with 1/sqrt(1 + 3 factor). Units: 1.");
     prm.declare_entry("Seed",
                       std::to_string(defaults.seed),
                       Patterns::Integer(0),

@@ -22,9 +22,10 @@ namespace rift
     Model model = Model::none;
 
     /**
-     * Slope of the elastic branch and of the penalty against overlap, as a
-     * fraction of what the cells beside a face bear: a cohesive face raises
-     * the square of the largest frequency of a cell by this factor.
+     * Room that the time step leaves for cohesive faces: the square of the
+     * largest frequency of a loose cell may grow by three times this factor,
+     * one for each of the faces that meet at a corner. Elastic branches and
+     * penalties against overlap are as stiff as that allows.
      */
     double stiffness_factor = 0.25;
 
