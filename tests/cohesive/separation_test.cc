@@ -1,0 +1,172 @@
+#include "breaking_body.h"
+#include <gtest/gtest.h>
+
+using namespace rift;
+using namespace rift::test;
+
+// Bars of tetrahedra that are cut across a plane of faces and pulled or
+// sheared apart.
+namespace
+{
+  using Vector = Vector3<double>;
+
+  constexpr double edge = 1e-3;
+
+  /** Faces cross a section of 2 x 2 cubes. */
+  constexpr double section = 4 * edge * edge;
+
+  struct CutBar
+  {
+    explicit CutBar(const double       stiffness_factor = .25,
+                    const unsigned int length           = 2)
+      : body(make_box({length, 2, 2}, edge), {granite()}, stiffness_factor)
+    {
+      body.split(body.faces_in_plane(0, .5 * length * edge));
+      EXPECT_EQ(body.force.faces().size(), 8u);
+      is_plus.resize(body.state.n_nodes(), false);
+      for (CellIndex cell = 0; cell < body.topology.n_cell_slots(); ++cell)
+        for (unsigned int c = 0; c < 4 && !body.topology.is_padding(cell); ++c)
+          {
+            double centre = 0;
+            for (unsigned int i = 0; i < 4; ++i)
+              centre +=
+                .25 * body.state.reference[body.topology.node(cell, i)][0];
+            if (centre > .5 * length * edge)
+              is_plus[body.topology.node(cell, c)] = true;
+          }
+    }
+
+    /** Force on the half that moves, N. */
+    Vector
+    force_on_plus() const
+    {
+      Vector sum = {{0, 0, 0}};
+      for (NodeIndex i = 0; i < body.state.n_nodes(); ++i)
+        if (is_plus[i])
+          sum += body.state.force[i].vector();
+      return sum;
+    }
+
+    /** Work to move one half as a rigid body in n steps, J. */
+    double
+    separate(const Vector &path, const unsigned int n)
+    {
+      double work = 0;
+      body.sum_forces();
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const Vector before = force_on_plus();
+          for (NodeIndex node = 0; node < body.state.n_nodes(); ++node)
+            if (is_plus[node])
+              for (unsigned int d = 0; d < dim; ++d)
+                body.state.displacement[node][d] += path[d] / n;
+          body.sum_forces();
+          work -= .5 / n * dot(before + force_on_plus(), path);
+        }
+      return work;
+    }
+
+    BreakingBody      body;
+    std::vector<bool> is_plus;
+  };
+
+  double
+  full_opening()
+  {
+    return granite().fracture_energy_1 /
+           (Softening::integral * granite().tensile_strength);
+  }
+
+  double
+  full_slip()
+  {
+    return granite().fracture_energy_2 /
+           (Softening::integral * granite().cohesion);
+  }
+
+  void
+  expect_separation(CutBar       &bar,
+                    const Vector &path,
+                    const double  energy,
+                    const int     n_steps)
+  {
+    const double work = bar.separate(path, n_steps);
+    EXPECT_NEAR(work, energy * section, 1e-3 * energy * section);
+    EXPECT_EQ(bar.body.force.n_failed(), 8u);
+    for (const CohesiveFaceInfo &info : bar.body.force.faces().infos)
+      EXPECT_EQ(bar.body.topology.face_states[info.face], FaceState::broken);
+    const CohesiveEnergy ledger = bar.body.force.energy();
+    EXPECT_NEAR(ledger.fracture, work, 1e-9 * work);
+    EXPECT_NEAR(ledger.recoverable, 0, 1e-9 * work);
+    EXPECT_NEAR(ledger.friction, 0, 1e-9 * work);
+  }
+} // namespace
+
+TEST(Separation, OpeningUsesUpTheFractureEnergyOfTheArea)
+{
+  CutBar bar;
+  expect_separation(bar,
+                    {{1.1 * full_opening(), 0, 0}},
+                    granite().fracture_energy_1,
+                    5000);
+}
+
+TEST(Separation, ShearingUsesUpTheFractureEnergyOfTheArea)
+{
+  CutBar bar;
+  expect_separation(bar,
+                    {{0, .6 * 1.3 * full_slip(), -.8 * 1.3 * full_slip()}},
+                    granite().fracture_energy_2,
+                    5000);
+}
+
+// The closed form of mohr_coulomb_energy_test.cc, which on a straight path
+// holds for stiff elastic branches.
+TEST(Separation, MixedModeHasTheClosedForm)
+{
+  for (const double angle : {.4, 1.1})
+    {
+      CutBar bar(2000);
+      expect_separation(bar,
+                        {{1.01 * full_opening() * std::cos(angle),
+                          0,
+                          1.01 * full_slip() * std::sin(angle)}},
+                        granite().fracture_energy_1 * std::cos(angle) +
+                          granite().fracture_energy_2 * std::sin(angle),
+                        50000);
+    }
+}
+
+// Halves that fly apart: the faces open, break and leave elastic waves behind.
+TEST(Separation, LedgerOfABreakingBarCloses)
+{
+  double residuals[2];
+  for (unsigned int run = 0; run < 2; ++run)
+    {
+      CutBar       bar(.25, 4);
+      State       &state = bar.body.state;
+      const double dt    = (run == 0 ? .7 : .35) * bar.body.critical.time_step;
+      for (NodeIndex i = 0; i < state.n_nodes(); ++i)
+        state.velocity[i][0] = bar.is_plus[i] ? 15 : -15;
+
+      EnergyLedger ledger;
+      const auto   n_steps = static_cast<unsigned int>(8e-6 / dt);
+      for (unsigned int i = 0; i < n_steps; ++i)
+        {
+          ASSERT_TRUE(bar.body.sum_forces());
+          if (i == 0)
+            start_velocities(state, dt);
+          ledger.enter(bar.body.energies(dt));
+          advance(state, bar.body.activity, dt);
+        }
+      EXPECT_EQ(bar.body.force.n_failed(), 8u);
+      residuals[run] = ledger.largest_relative_residual();
+      EXPECT_LT(residuals[run], 2e-3);
+      // Mostly mode I; shear of the end faces takes part.
+      EXPECT_NEAR(ledger.energies().fracture,
+                  granite().fracture_energy_1 * section,
+                  .05 * granite().fracture_energy_1 * section);
+    }
+  RecordProperty("residual", std::to_string(residuals[0]));
+  EXPECT_LT(residuals[1], .4 * residuals[0]);
+}
