@@ -7,6 +7,8 @@
 #include <rift/mesh/mesh_checks.h>
 #include <rift/mesh/triangulation.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 
 namespace rift
@@ -49,16 +51,24 @@ namespace rift
                            suggestion(name, mesh.material_names));
     }
 
+    /** The names of parts of the outer surface, not of joints. */
+    std::vector<std::string>
+    boundary_names(const MeshData &mesh)
+    {
+      std::vector<std::string> names;
+      for (const NamedFace &face : mesh.boundary_faces)
+        if (!contains(names, mesh.surface_names[face.name]))
+          names.push_back(mesh.surface_names[face.name]);
+      return names;
+    }
+
     /** That a surface that the .prm speaks of exists. */
     void
     check_boundary(const std::string &name,
                    const std::string &subsection,
                    const MeshData    &mesh)
     {
-      std::vector<std::string> outer;
-      for (const NamedFace &face : mesh.boundary_faces)
-        if (!contains(outer, mesh.surface_names[face.name]))
-          outer.push_back(mesh.surface_names[face.name]);
+      const std::vector<std::string> outer = boundary_names(mesh);
       if (!contains(outer, name))
         throw InputError("subsection \"" + subsection +
                          "\" speaks of the boundary \"" + name +
@@ -109,6 +119,13 @@ namespace rift
   Body
   make_body(const Parameters &parameters, Log &log)
   {
+    const unsigned int n_ranks =
+      dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+    if (n_ranks > 1)
+      throw InputError("this version of rift computes on one rank, and was "
+                       "started on " +
+                       std::to_string(n_ranks) +
+                       ". Start it without mpirun, or with -np 1.");
     const MeshData mesh = make_mesh(parameters);
     Body           body{{Topology({}, 0), {}, {}}, {}, {}, {}};
     for (const std::string &name : mesh.material_names)
@@ -132,10 +149,18 @@ namespace rift
           surface(mesh.internal_faces);
       }
     set_initial_velocity(body);
-    log.write(
-      "Mesh " + mesh.source + ": " +
-      std::to_string(body.discretization.topology.n_cells()) + " cells, " +
-      std::to_string(body.discretization.topology.n_nodes()) + " nodes");
+    const auto list = [](const std::vector<std::string> &names) {
+      std::string text;
+      for (const std::string &name : names)
+        text += (text.empty() ? "" : ", ") + name;
+      return text.empty() ? std::string("none") : text;
+    };
+    log.write("Mesh " + mesh.source + ": " +
+              std::to_string(body.discretization.topology.n_cells()) +
+              " cells, " +
+              std::to_string(body.discretization.topology.n_nodes()) +
+              " nodes; materials: " + list(mesh.material_names) +
+              "; boundaries: " + list(boundary_names(mesh)));
     return body;
   }
 } // namespace rift
