@@ -45,6 +45,19 @@ namespace rift
 
       double tensile_strength, cohesion, friction, inverse_shear_factor_squared;
     };
+
+    /**
+     * Whether there is a strain anywhere: at the foot of a wave it is so small
+     * that its square is zero.
+     */
+    bool
+    is_strained(const SymmetricTensor<Simd> &strain)
+    {
+      SimdMask mask{};
+      for (const Simd &component : strain)
+        mask |= component != 0.;
+      return any(mask);
+    }
   } // namespace
 
   InternalForce::InternalForce(const Topology          &topology,
@@ -131,7 +144,7 @@ namespace rift
                 failed = {static_cast<CellIndex>(b * batch_size + lane),
                           ratio[lane]};
           }
-        if (!activity.has_woken_neighbours(b) && any(strain_squared > 0.))
+        if (!activity.has_woken_neighbours(b) && is_strained(strain))
           activity.wake_neighbours(topology, b);
       }
     return failed;

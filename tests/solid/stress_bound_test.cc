@@ -28,22 +28,66 @@ namespace
     double tension, cohesion;
   };
 
+  double
+  tension_on(const Matrix3<double> &sigma, const Vector3<double> &n)
+  {
+    return dot(sigma * n, n);
+  }
+
+  double
+  shear_less_friction_on(const Matrix3<double> &sigma,
+                         const Vector3<double> &n,
+                         const double           tan_friction)
+  {
+    const Vector3<double> traction = sigma * n;
+    const double          normal   = dot(traction, n);
+    return norm(traction - normal * n) + tan_friction * std::min(normal, 0.);
+  }
+
+  /** Largest value over all given directions, then by steps around the best. */
+  template <typename Function>
+  double
+  maximise(const Function &f, const std::vector<Vector3<double>> &normals)
+  {
+    Vector3<double> best  = normals[0];
+    double          value = f(best);
+    const auto      look  = [&](const Vector3<double> &n) {
+      const double candidate = f(n);
+      if (candidate <= value)
+        return false;
+      value = candidate;
+      best  = n;
+      return true;
+    };
+    for (const auto &n : normals)
+      look(n);
+    for (double step = .1; step > 1e-4;)
+      {
+        bool is_better = false;
+        for (const auto &e : unit_matrix)
+          for (const double sign : {-1., 1.})
+            {
+              const Vector3<double> n = best + (sign * step) * e;
+              is_better |= look((1 / norm(n)) * n);
+            }
+        if (!is_better)
+          step /= 2;
+      }
+    return value;
+  }
+
   Reached
   reached_strengths(const Matrix3<double>              &sigma,
                     const double                        tan_friction,
                     const std::vector<Vector3<double>> &normals)
   {
-    Reached result{0, 0};
-    for (const auto &n : normals)
-      {
-        const Vector3<double> traction = sigma * n;
-        const double          normal   = dot(traction, n);
-        const double          shear    = norm(traction - normal * n);
-        result.tension                 = std::max(result.tension, normal);
-        result.cohesion                = std::max(result.cohesion,
-                                   shear + tan_friction * std::min(normal, 0.));
-      }
-    return result;
+    return {
+      maximise([&](const auto &n) { return tension_on(sigma, n); }, normals),
+      maximise(
+        [&](const auto &n) {
+          return shear_less_friction_on(sigma, n, tan_friction);
+        },
+        normals)};
   }
 
   /** One cell whose gradient is prescribed. */
@@ -129,7 +173,7 @@ namespace
                const unsigned int        n_samples,
                Random                   &random)
   {
-    const auto                             normals = directions(400);
+    const auto                             normals = directions(100);
     std::uniform_real_distribution<double> unit(0, 1);
     WatchedCell                            cell(material);
     unsigned int                           n_misses = 0;
@@ -178,7 +222,7 @@ TEST(StressBound, NeverMissesShearUnderStrongPressure)
   // the strength is a small difference of shear and friction.
   Random                                 random(3);
   std::uniform_real_distribution<double> unit(0, 1);
-  const auto                             normals  = directions(400);
+  const auto                             normals  = directions(100);
   unsigned int                           n_misses = 0, n_reached = 0;
   for (const double nu : {.1, .2, .3, .4})
     {
@@ -269,7 +313,7 @@ TEST(StressBound, ListsCellsOfWatchedMaterialsInOrder)
       const Matrix3<double> sigma = {
         {{{s[0], s[5], s[4]}}, {{s[5], s[1], s[3]}}, {{s[4], s[3], s[2]}}}};
       const double tension =
-        reached_strengths(sigma, 0, directions(2000)).tension;
+        reached_strengths(sigma, 0, directions(100)).tension;
       const double limit = material == 0 ? 3e6 : 4e6;
       if (tension > limit)
         expected.push_back(cell);

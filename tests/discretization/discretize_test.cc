@@ -1,0 +1,117 @@
+// What is taken from deal.II's finite element against closed formulas.
+
+#include <rift/discretization/discretize.h>
+#include <rift/mesh/triangulation.h>
+
+#include <deal.II/base/mpi.h>
+
+#include "../support/test_body.h"
+#include <gtest/gtest.h>
+
+using namespace rift;
+
+namespace
+{
+  const std::vector<double> densities = {2641, 7850};
+
+  test::Body
+  make_body()
+  {
+    test::Body box = test::make_box({{3, 4, 2}}, .01, .15);
+    for (LocalCell &cell : box.cells)
+      cell.material = box.vertices[cell.vertices[0]][1] < .015 ? 0 : 1;
+    test::order(box);
+    return box;
+  }
+
+  Discretization
+  discretized_by_dealii(const test::Body &body)
+  {
+    MeshData mesh;
+    mesh.source         = "test";
+    mesh.vertices       = body.vertices;
+    mesh.material_names = {"granite", "steel"};
+    for (const LocalCell &cell : body.cells)
+      {
+        mesh.cells.push_back(cell.vertices);
+        mesh.cell_tags.push_back(mesh.cells.size());
+        mesh.cell_materials.push_back(cell.material);
+      }
+    return discretize(*make_triangulation(mesh, MPI_COMM_WORLD), densities);
+  }
+
+  class InitialiseMPI : public testing::Environment
+  {
+  public:
+    void
+    SetUp() override
+    {
+      static int    argc   = 1;
+      static char   name[] = "discretize_test";
+      static char  *args[] = {name, nullptr};
+      static char **argv   = args;
+      static const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+    }
+  };
+
+  [[maybe_unused]] const auto *const mpi =
+    testing::AddGlobalTestEnvironment(new InitialiseMPI);
+} // namespace
+
+TEST(Discretize, CellsAreThoseOfTheMesh)
+{
+  const test::Body     body     = make_body();
+  const Discretization result   = discretized_by_dealii(body);
+  const Topology      &topology = result.topology;
+  ASSERT_EQ(topology.n_cells(), body.cells.size());
+  ASSERT_EQ(topology.n_nodes(), body.vertices.size());
+  for (const LocalCell &cell : body.cells)
+    {
+      const CellIndex slot = topology.find_cell(cell.global_index);
+      ASSERT_NE(slot, invalid_index);
+      EXPECT_EQ(topology.material(slot), cell.material);
+      for (unsigned int c = 0; c < n_corners; ++c)
+        {
+          const NodeIndex node = topology.node(slot, c);
+          for (unsigned int d = 0; d < dim; ++d)
+            EXPECT_EQ(result.state.reference[node][d],
+                      body.vertices[cell.vertices[c]][d]);
+        }
+    }
+}
+
+TEST(Discretize, GradientsVolumesAndMasses)
+{
+  const test::Body         body     = make_body();
+  const Discretization     result   = discretized_by_dealii(body);
+  const test::DiscreteBody expected = test::discretize(body, densities);
+  ASSERT_EQ(result.topology.n_cell_slots(), expected.topology.n_cell_slots());
+  const double volume = 1e-6 / 6, gradient = 100;
+  for (std::size_t b = 0; b < expected.reference.size(); ++b)
+    for (unsigned int lane = 0; lane < batch_size; ++lane)
+      {
+        EXPECT_NEAR(result.reference[b].volume[lane],
+                    expected.reference[b].volume[lane],
+                    1e-13 * volume);
+        for (unsigned int c = 0; c < n_corners; ++c)
+          EXPECT_LT(norm(result.reference[b].gradient(c, lane) -
+                         expected.reference[b].gradient(c, lane)),
+                    1e-12 * gradient);
+      }
+
+  double mass = 0, exact_mass = 0;
+  for (const LocalCell &cell : body.cells)
+    {
+      const auto &x = body.vertices;
+      const auto &v = cell.vertices;
+      exact_mass += densities[cell.material] *
+                    test::signed_volume(x[v[0]], x[v[1]], x[v[2]], x[v[3]]);
+    }
+  for (const double m : result.state.mass)
+    {
+      EXPECT_GT(m, 0);
+      mass += m;
+    }
+  EXPECT_NEAR(mass, exact_mass, 1e-13 * exact_mass);
+  EXPECT_NEAR(exact_mass, .03 * .02 * (.02 * 2641 + .02 * 7850), .2 * mass);
+}
