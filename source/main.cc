@@ -30,7 +30,7 @@ namespace
         rift::generate_reference(out);
         break;
       case Action::validate:
-        rift::print_summary(
+        rift::validate_scene(
           out,
           rift::read_parameters(command.scene, command.overrides));
         break;

@@ -49,18 +49,13 @@ namespace rift
     }
   } // namespace
 
-  Results::Results(const Parameters &parameters, const Body &body, Log &log)
+  Results::Results(const Parameters &parameters, const Body &body)
     : directory(parameters.output.directory)
     , solution_interval(parameters.output.solution_interval)
     , history_interval(parameters.output.history_interval)
     , initial_nodes(body.discretization.topology.n_nodes())
   {
-    prepare_output_directory(directory, parameters.output.overwrite);
-    log.open(path("log.txt"));
-    write_file_atomically(path("parameters.prm"), used_parameters(parameters));
-
-    const Discretization    &d       = body.discretization;
-    std::vector<std::string> columns = {"time [s]"};
+    const Discretization &d = body.discretization;
     for (const ProbeParameters &p : parameters.probes)
       {
         const auto surface = body.surfaces.find(p.boundary);
@@ -70,8 +65,22 @@ namespace rift
                             p,
                             surface == body.surfaces.end() ? Surface() :
                                                              surface->second);
-        columns.push_back(probes.back().header());
       }
+  }
+
+  void
+  Results::open(const Parameters &parameters, Log &log)
+  {
+    prepare_output_directory(directory, parameters.output.overwrite);
+    log.open(path("log.txt"));
+    // The first line tells a later run that the file may be replaced.
+    write_file_atomically(path("parameters.prm"),
+                          std::string(parameters_marker) + "\n" +
+                            used_parameters(parameters));
+
+    std::vector<std::string> columns = {"time [s]"};
+    for (const Probe &probe : probes)
+      columns.push_back(probe.header());
     if (!probes.empty())
       probes_file.emplace(path("probes.csv"), columns);
 
@@ -91,7 +100,7 @@ namespace rift
   bool
   Results::is_history_due(const double time, const double time_step) const
   {
-    return time >= n_rows * history_interval - .5 * time_step;
+    return is_open() && time >= n_rows * history_interval - .5 * time_step;
   }
 
   bool

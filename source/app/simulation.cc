@@ -33,6 +33,7 @@ namespace rift
         laws.push_back(make_elasticity(material));
       return laws;
     }
+
     std::string
     place_text(const Vector3<double> &x)
     {
@@ -51,7 +52,7 @@ namespace rift
                      body.discretization.reference,
                      laws)
     , activity(body.discretization.topology)
-    , results(parameters, body, log)
+    , results(parameters, body)
   {
     choose_time_step();
     make_modules();
@@ -144,6 +145,7 @@ namespace rift
   void
   Simulation::run()
   {
+    results.open(parameters, log);
     FlushDenormals flush_denormals;
     Progress   progress(log, topology().n_cells(), 0, parameters.time.end_time);
     const auto wall_start = timer.total();
@@ -322,10 +324,11 @@ namespace rift
   void
   Simulation::write_due_results()
   {
-    const bool is_last  = state().step == last_step;
-    const bool history  = results.is_history_due(state().time, dt) || is_last;
+    const bool is_last = state().step == last_step;
+    const bool history = results.is_history_due(state().time, dt) ||
+                         (is_last && results.is_open());
     const bool solution = results.is_solution_due(state().time, dt);
-    if (history || state().step % balance_interval == 0)
+    if (history || is_last || state().step % balance_interval == 0)
       balance_energy();
     if (history)
       results.write_history(snapshot());
@@ -366,6 +369,14 @@ namespace rift
       " of its volume; below " + to_text(InternalForce::smallest_volume_ratio) +
       " the elastic law has no meaning. At " + moment_text() +
       ". Choose a smaller time step or safety factor, or a weaker load.");
+  }
+
+  void
+  validate_scene(std::ostream &out, const Parameters &parameters)
+  {
+    print_summary(out, parameters);
+    Log log(&out);
+    Simulation(parameters, log);
   }
 
   void

@@ -34,8 +34,27 @@ namespace rift
   class Results
   {
   public:
-    /** Makes the output directory ready and writes parameters.prm. */
-    Results(const Parameters &parameters, const Body &body, Log &log);
+    /**
+     * Finds the places of the probes; nothing is written before open().
+     *
+     * @throws InputError if a probe lies outside of the body.
+     */
+    Results(const Parameters &parameters, const Body &body);
+
+    /**
+     * Makes the output directory ready and writes parameters.prm. Without this
+     * call nothing is ever due.
+     *
+     * @throws InputError or DiskError if the directory cannot be used.
+     */
+    void
+    open(const Parameters &parameters, Log &log);
+
+    bool
+    is_open() const
+    {
+      return energy_file.has_value();
+    }
 
     /** Whether a row of the histories is due at this time. */
     bool

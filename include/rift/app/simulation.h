@@ -26,18 +26,18 @@ namespace rift
   {
   public:
     /**
-     * Makes everything ready for the first step.
+     * Makes everything ready for the first step; writes no file.
      *
      * @param log must outlive this object.
      */
     Simulation(const Parameters &parameters, Log &log);
 
-    /** Computes all steps and writes the results. */
+    /** Opens the output directory, computes all steps, writes the results. */
     void
     run();
 
     /**
-     * Goes from t_n to t_(n+1); the last call stops before the kick, at the
+     * Writes results only within run(). Goes from t_n to t_(n+1); the last call stops before the kick, at the
      * end time.
      */
     void
