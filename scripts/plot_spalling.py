@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Plots a run of prm/spalling: velocity of the free surface, ledger of energy,
-damage along the axis; and prints the figures of doc/verification.md.
+opening and damage along the axis; and prints the figures of doc/verification.md.
 
 usage: scripts/plot_spalling.py RESULTS FIGURE.png
 """
@@ -18,11 +18,12 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-# The one-dimensional reference (bar of 1 mm cells, exact fracture energy).
-REFERENCE_PEAK = (75.9e-6, 7.73)
-REFERENCE_PLANES = ((82e-3, 125e-6), (103e-3, 135e-6))
+# x of the planes of the one-dimensional reference (bar of 1 mm cells).
+REFERENCE_PLANES = (82e-3, 103e-3)
+OPEN = 10e-6
 BIN_WIDTH = 2e-3
-RADIUS = 19e-3
+EDGES = np.arange(0, 0.18 + BIN_WIDTH, BIN_WIDTH)
+SECTION = np.pi * 19e-3**2
 
 
 def read_table(path):
@@ -45,15 +46,15 @@ def read_array(element, appended):
     return np.frombuffer(data, dtype=kind[element.get("type")])
 
 
-def read_last_fracture(results):
-    """Corners and fields of the cohesive faces at the last time."""
-    series = ElementTree.parse(os.path.join(results, "fracture.pvd"))
-    entries = sorted(series.iter("DataSet"), key=lambda d: float(d.get("timestep")))
-    with open(os.path.join(results, entries[-1].get("file")), "rb") as file:
+def read_fracture(path):
+    """Corners and fields of the cohesive faces in one file."""
+    with open(path, "rb") as file:
         content = file.read()
     start = content.index(b"<AppendedData")
     piece = ElementTree.fromstring(content[:start] + b"</VTKFile>").find(".//Piece")
     appended = content[content.index(b"_", start) + 1:]
+    if int(piece.get("NumberOfCells")) == 0:
+        return np.zeros((0, 3, 3)), None
     points = read_array(piece.find("Points/DataArray"), appended).reshape(-1, 3)
     cells = next(a for a in piece.find("Cells") if a.get("Name") == "connectivity")
     corners = read_array(cells, appended).reshape(-1, 3)
@@ -61,30 +62,72 @@ def read_last_fracture(results):
     return points[corners].astype(float), fields
 
 
-def planes(corners, fields):
-    """Macroscopic planes: bins of x whose failed faces, projected on the cross
-    section, cover more than half of it; neighbours count as one."""
-    failed = fields["time of failure [s]"] >= 0
-    area = 0.5 * np.cross(corners[:, 1] - corners[:, 0],
-                          corners[:, 2] - corners[:, 0])
-    x = corners[:, :, 0].mean(axis=1)
-    edges = np.arange(0, 0.18 + BIN_WIDTH, BIN_WIDTH)
-    covered, _ = np.histogram(x[failed], edges, weights=np.abs(area[failed, 0]))
-    section = np.pi * RADIUS**2
-    found, group = [], []
-    for i in list(np.nonzero(covered > 0.05 * section)[0]) + [10**6]:
+def read_fractures(results):
+    """(time, corners, fields) at each time of fracture.pvd."""
+    series = ElementTree.parse(os.path.join(results, "fracture.pvd"))
+    entries = [(float(d.get("timestep")), d.get("file"))
+               for d in series.iter("DataSet")]
+    return [(time, *read_fracture(os.path.join(results, name)))
+            for time, name in sorted(entries)]
+
+
+def axial_areas(corners):
+    """Areas of faces projected on the cross section, m^2."""
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    return 0.5 * np.abs(normal[:, 0])
+
+
+def find_planes(corners, fields):
+    """Macroscopic planes as ranges of x: bins in which faces that are open by
+    more than OPEN cover a part of the cross section; neighbouring bins are one
+    plane if they cover more than half of it."""
+    is_open = fields["opening [m]"] > OPEN
+    area, x = axial_areas(corners), corners[:, :, 0].mean(axis=1)
+    covered, _ = np.histogram(x[is_open], EDGES, weights=area[is_open])
+    ranges, group = [], []
+    for i in list(np.nonzero(covered > 0.02 * SECTION)[0]) + [10**6]:
         if group and i > group[-1] + 1:
-            inside = failed & (x >= edges[group[0]]) & (x < edges[group[-1] + 1])
-            weight = np.abs(area[inside, 0])
-            if weight.sum() > 0.5 * section:
-                times = np.sort(fields["time of failure [s]"][inside])
-                mean = np.average(x[inside], weights=weight)
-                spread = np.sqrt(np.average((x[inside] - mean)**2, weights=weight))
-                found.append((mean, spread, times[len(times) // 2],
-                              weight.sum() / section))
+            if covered[group].sum() > 0.5 * SECTION:
+                ranges.append((EDGES[group[0]], EDGES[group[-1] + 1]))
             group = []
         group.append(i)
-    return found, edges, covered / section
+    return ranges, covered / SECTION
+
+
+def describe_plane(begin, end, fractures):
+    """Prints where a plane is, how wide it opens, and when it did."""
+    means = []
+    for _, corners, fields in fractures:
+        if fields is None:
+            means.append(0)
+            continue
+        x = corners[:, :, 0].mean(axis=1)
+        inside = (x >= begin) & (x < end)
+        area = axial_areas(corners)[inside]
+        means.append((area * fields["opening [m]"][inside]).sum() / SECTION)
+    weight = area * fields["opening [m]"][inside]
+    mean = np.average(x[inside], weights=weight)
+    spread = np.sqrt(np.average((x[inside] - mean)**2, weights=weight))
+    has_failed = fields["time of failure [s]"][inside] >= 0
+    times = [time for time, _, _ in fractures]
+    reached = np.interp(OPEN, means, times) if means[-1] > OPEN else np.nan
+    print(f"plane: x = {mean * 1e3:.1f} mm (spread {spread * 1e3:.1f} mm); mean "
+          f"opening {OPEN * 1e6:.0f} um at {reached * 1e6:.0f} us, "
+          f"{means[-1] * 1e6:.0f} um at the end; {has_failed.sum()} faces failed, "
+          f"which cover {area[has_failed].sum() / SECTION:.2f} of the section")
+
+
+def elastic_fspv(time):
+    """Free-surface velocity of an elastic bar, twice that of the pulse."""
+    density, speed = 2641, np.sqrt(40.6e9 / 2641)
+    phase = np.clip((time - 0.18 / speed) / 60e-6, 0, 1)
+    return 2 * 40e6 / (density * speed) * np.sin(np.pi * phase)
+
+
+def time_at(time, values, level):
+    """When rising values first reach a level."""
+    after = np.argmax(values >= level)
+    return np.interp(level, values[after - 1:after + 1], time[after - 1:after + 1])
 
 
 def main(results, figure):
@@ -92,8 +135,9 @@ def main(results, figure):
     energy = read_table(os.path.join(results, "energy.csv"))
     with open(os.path.join(results, "summary.json")) as file:
         summary = json.load(file)
-    corners, fields = read_last_fracture(results)
-    found, edges, covered = planes(corners, fields)
+    fractures = read_fractures(results)
+    _, corners, fields = fractures[-1]
+    planes, covered = find_planes(corners, fields)
 
     time, fspv = probes["time [s]"], probes["fspv [m/s]"]
     peak = np.argmax(fspv * (time < 100e-6))
@@ -103,15 +147,18 @@ def main(results, figure):
     first = np.argmin(fields["time of insertion [s]"])
     print(f"cells {summary['cells']}, step {summary['time_step']:.3e} s, "
           f"{summary['steps']} steps, {summary['wall_seconds']:.1f} s of wall time")
-    print(f"FSPV: peak {fspv[peak]:.3f} m/s at {time[peak] * 1e6:.1f} us")
+    reference = elastic_fspv(time)
+    half = 0.5 * reference.max()
+    print(f"FSPV: peak {fspv[peak]:.3f} m/s at {time[peak] * 1e6:.1f} us (elastic bar "
+          f"{reference.max():.3f} m/s at {time[np.argmax(reference)] * 1e6:.1f} us); "
+          f"half of the bar's peak at {time_at(time, fspv, half) * 1e6:.2f} us (bar "
+          f"{time_at(time, reference, half) * 1e6:.2f} us)")
     print(f"first opening: x = {corners[first, :, 0].mean() * 1e3:.1f} mm at "
           f"{fields['time of insertion [s]'][first] * 1e6:.1f} us")
     print(f"faces: {summary['faces_inserted']} cut, {len(corners)} opened, "
           f"{summary['faces_broken']} failed; fragments {summary['fragments']}")
-    for mean, spread, when, share in found:
-        print(f"plane: x = {mean * 1e3:.1f} mm (spread {spread * 1e3:.1f} mm), "
-              f"half of its faces failed at {when * 1e6:.1f} us, failed area "
-              f"{share:.2f} of the cross section")
+    for begin, end in planes:
+        describe_plane(begin, end, fractures)
     print(f"energy put in {loads.max():.4f} J; largest residual while intact "
           f"{np.abs(residual[intact]).max():.2e}, at all times "
           f"{np.abs(residual).max():.2e} of it, at the end {residual[-1]:.2e}")
@@ -119,23 +166,24 @@ def main(results, figure):
     plt.rcParams.update({"font.size": 9, "axes.grid": True, "grid.alpha": 0.3})
     plots, axes = plt.subplots(3, 1, figsize=(7, 8.4))
     axes[0].plot(time * 1e6, fspv, label="rift")
-    axes[0].plot(REFERENCE_PEAK[0] * 1e6, REFERENCE_PEAK[1], "kx",
-                 label="peak of the 1-D reference")
+    until = time < 95e-6
+    axes[0].plot(time[until] * 1e6, elastic_fspv(time[until]), "k--",
+                 linewidth=0.8, label="elastic bar, 1-D")
     axes[0].set(xlabel="time (us)", ylabel="FSPV (m/s)")
     axes[0].legend()
     for name in ("kinetic", "strain", "cohesive", "fracture", "friction", "loads"):
         axes[1].plot(energy["time [s]"] * 1e6, energy[name + " [J]"], label=name)
-    axes[1].plot(energy["time [s]"] * 1e6, 100 * energy["residual [J]"], "k:",
-                 label="residual x 100")
+    axes[1].plot(energy["time [s]"] * 1e6, 1e6 * energy["residual [J]"], "k:",
+                 label="residual x 1e6")
     axes[1].set(xlabel="time (us)", ylabel="energy (J)")
-    axes[1].legend(ncol=4)
-    axes[2].bar(1e3 * edges[:-1], covered, width=1e3 * BIN_WIDTH, align="edge",
-                label="failed area")
-    opened, _ = np.histogram(corners[:, :, 0].mean(axis=1), edges,
+    axes[1].legend(ncol=1, loc="upper left", fontsize=7)
+    axes[2].bar(1e3 * EDGES[:-1], covered, width=1e3 * BIN_WIDTH, align="edge",
+                label="open by more than 10 um")
+    damage, _ = np.histogram(corners[:, :, 0].mean(axis=1), EDGES,
                              weights=fields["damage"])
-    axes[2].step(1e3 * edges[:-1], opened / max(opened.max(), 1), where="post",
-                 color="C1", label="damage, summed, over its largest")
-    for x, _ in REFERENCE_PLANES:
+    axes[2].step(1e3 * EDGES[:-1], damage / damage.max(), where="post", color="C1",
+                 label="sum of damage over its largest")
+    for x in REFERENCE_PLANES:
         axes[2].axvline(1e3 * x, color="k", linestyle="--", linewidth=0.8)
     axes[2].plot([], [], "k--", linewidth=0.8, label="planes of the 1-D reference")
     axes[2].set(xlabel="x (mm)", ylabel="share of the cross section")
