@@ -187,10 +187,11 @@ namespace rift
     const Number normal          = t[0];
     const Number friction = constants.tan_friction_angle * max(-normal, zero);
     const Number shear    = sqrt(t[1] * t[1] + t[2] * t[2]);
+    const Number former_cohesion =
+      point.softening * point.cohesion + point.shear_excess;
     if (!any((normal > point.softening * constants.tensile_strength +
                          point.normal_excess) |
-             (shear > point.softening * point.cohesion + point.shear_excess +
-                        friction)))
+             (shear > former_cohesion + friction)))
       return {zero, zero};
 
     const auto flow = soften(point, constants, normal, shear, friction);
@@ -213,13 +214,23 @@ namespace rift
     t[0]            = select(open, zero, t[0]);
 
     // By the trapezoidal rule, as the central differences do their work: what
-    // is left of that work is exactly the change of the elastic energy.
-    const Number former_friction =
-      constants.tan_friction_angle * max(-former[0], zero);
+    // is left of that work is exactly the change of the elastic energy. Of what
+    // sliding takes, the cohesion has its own and friction the rest. That a
+    // failed point leaves contact in the midst of a step is an error of the
+    // time integration, not fracture: it belongs to the residual.
+    const Number opening = select(open & (former[0] < zero),
+                                  zero,
+                                  .5 * (t[0] + former[0]) * flow.opening);
+    const Number sliding = .5 * ((t[1] + former[1]) * flow_jump[1] +
+                                 (t[2] + former[2]) * flow_jump[2]);
+    const Number cohesion =
+      former_cohesion + point.softening * point.cohesion + point.shear_excess;
+    const Number of_cohesion =
+      min(.5 * cohesion * flow.slip, max(sliding, zero));
     Dissipation<Number> dissipation;
-    dissipation.friction = .5 * (friction + former_friction) * flow.slip;
-    dissipation.fracture =
-      .5 * dot(t + former, flow_jump) - dissipation.friction;
+    dissipation.friction =
+      select((normal < zero) | (former[0] < zero), sliding - of_cohesion, zero);
+    dissipation.fracture = opening + sliding - dissipation.friction;
     return dissipation;
   }
 
