@@ -81,11 +81,13 @@ namespace rift
         const Simd normal = dot(traction, n);
         const Simd shear_squared =
           dot(traction, traction) * square - normal * normal;
-        const Simd shear_limit = bound.cohesion * square -
-                                 bound.tan_friction_angle * min(normal, zero);
-        const SimdMask mask = (normal >= bound.tensile_strength * square) |
-                              (shear_squared >= shear_limit * shear_limit) |
-                              is_large;
+        // Friction counts in tension, too: only then is the bound convex, so
+        // that the mean of two cells within it is within it.
+        const Simd shear_limit =
+          bound.cohesion * square - bound.tan_friction_angle * normal;
+        const SimdMask mask =
+          (normal >= bound.tensile_strength * square) | (shear_limit <= 0.) |
+          (shear_squared >= shear_limit * shear_limit) | is_large;
         for (unsigned int lane = 0; lane < batch_size; ++lane)
           result[f] |= (mask[lane] & 1) << lane;
       }

@@ -1,0 +1,292 @@
+#include "breaking_body.h"
+#include <gtest/gtest.h>
+
+using namespace rift;
+using namespace rift::test;
+
+namespace
+{
+  using Vector = Vector3<double>;
+  using Matrix = Matrix3<double>;
+
+  constexpr double edge = 1e-3;
+
+  /** Displaces all nodes by a linear field, u = gradient X. */
+  void
+  strain(BreakingBody &body, const Matrix &gradient)
+  {
+    for (NodeIndex i = 0; i < body.state.n_nodes(); ++i)
+      {
+        const Vector u = gradient * body.state.reference[i].vector();
+        for (unsigned int d = 0; d < dim; ++d)
+          body.state.displacement[i][d] = u[d];
+      }
+  }
+
+  /** What a simulation does to find the faces that break. */
+  std::vector<FaceIndex>
+  find_faces(BreakingBody &body)
+  {
+    body.state.force.assign(body.state.n_nodes(), NodalVector());
+    EXPECT_FALSE(body.internal_force.add_to(body.state, body.activity));
+    return body.insertion.find_faces(body.state,
+                                     body.internal_force.hot_cells());
+  }
+
+  /** First Piola-Kirchhoff stress of one isotropic cell, by textbook. */
+  Matrix
+  nominal_stress(const BreakingBody &body, const CellIndex cell)
+  {
+    Matrix f = {{{{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}}};
+    for (unsigned int c = 0; c < n_corners; ++c)
+      {
+        const Vector g = body.discrete.reference[cell / batch_size].gradient(
+          c,
+          cell % batch_size);
+        const NodeIndex node = body.topology.node(cell, c);
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int d = 0; d < dim; ++d)
+            f[i][d] += body.state.displacement[node][i] * g[d];
+      }
+    const MaterialParameters &m = body.materials[body.topology.material(cell)];
+    const double mu = m.youngs_modulus / (2 * (1 + m.poissons_ratio));
+    const double lambda =
+      2 * mu * m.poissons_ratio / (1 - 2 * m.poissons_ratio);
+    Matrix strain{}, p{};
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = 0; j < dim; ++j)
+        {
+          for (unsigned int k = 0; k < dim; ++k)
+            strain[i][j] += .5 * f[k][i] * f[k][j];
+          strain[i][j] -= .5 * (i == j);
+        }
+    const double trace = strain[0][0] + strain[1][1] + strain[2][2];
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = 0; j < dim; ++j)
+        for (unsigned int k = 0; k < dim; ++k)
+          p[i][j] +=
+            f[i][k] * (2 * mu * strain[k][j] + (k == j ? lambda * trace : 0));
+    return p;
+  }
+
+  /**
+   * How near a face is to its strength, by the definition: the larger of
+   * sigma_n - T and |tau| - c + min(sigma_n, 0) tan(phi), Pa.
+   */
+  double
+  excess(const BreakingBody &body, const FaceIndex face)
+  {
+    const Face &f = body.topology.faces[face];
+    Vector      x[3], reference[3];
+    for (unsigned int c = 0; c < 3; ++c)
+      {
+        const NodeIndex node =
+          body.topology.node(f.cells[0], face_corners[f.local_faces[0]][c]);
+        x[c]         = body.state.position(node);
+        reference[c] = body.state.reference[node].vector();
+      }
+    const auto unit_normal = [](const Vector *y) {
+      const Vector n = cross(y[1] - y[0], y[2] - y[0]);
+      return (1 / norm(n)) * n;
+    };
+    const Vector reference_normal = unit_normal(reference);
+    const Vector normal           = unit_normal(x);
+    const Vector traction =
+      .5 * (nominal_stress(body, f.cells[0]) * reference_normal +
+            nominal_stress(body, f.cells[1]) * reference_normal);
+    const double       sigma = dot(traction, normal);
+    const double       tau   = norm(traction - sigma * normal);
+    const FaceStrength s     = body.strengths.strength(face);
+    return std::max(sigma - s.tensile_strength,
+                    tau - s.cohesion +
+                      std::min(sigma, 0.) * s.tan_friction_angle);
+  }
+
+  std::vector<FaceIndex>
+  brute_force(const BreakingBody &body)
+  {
+    std::vector<FaceIndex> faces;
+    for (const FaceIndex face : body.all_faces())
+      if (body.topology.face_states[face] == FaceState::intact &&
+          body.strengths.is_breakable(face) && excess(body, face) >= 0)
+        faces.push_back(face);
+    return faces;
+  }
+
+  /** Lame's constants of granite(). */
+  constexpr double mu = 40.6e9 / 2.4, lambda = 2 * mu * .2 / .6;
+
+  /** A gradient that stretches along x and shears y and z against it, so that
+   * the plane x = const has about this traction while all is small. */
+  Matrix
+  traction_on_x(const double normal, const double shear)
+  {
+    Matrix g{};
+    g[0][0] = normal / (lambda + 2 * mu);
+    g[1][0] = .6 * shear / mu;
+    g[2][0] = .8 * shear / mu;
+    return g;
+  }
+
+  /** Whether a face of the plane x = edge is found, and whether all are. */
+  void
+  expect_found(const double normal, const double shear, const bool is_found)
+  {
+    BreakingBody body(make_box({2, 1, 1}, edge));
+    const auto   plane = body.faces_in_plane(0, edge);
+    ASSERT_EQ(plane.size(), 2u);
+    strain(body, traction_on_x(normal, shear));
+    const auto found = find_faces(body);
+    for (const FaceIndex face : plane)
+      EXPECT_EQ(std::find(found.begin(), found.end(), face) != found.end(),
+                is_found)
+        << normal << " " << shear;
+  }
+
+  /**
+   * Scales a traction until the face of the plane is at its strength by the
+   * definition, and looks just below and above that.
+   */
+  void
+  expect_threshold(const double normal, const double shear)
+  {
+    BreakingBody    body(make_box({2, 1, 1}, edge));
+    const FaceIndex face = body.faces_in_plane(0, edge)[0];
+    double          low = 0, high = 2;
+    for (unsigned int i = 0; i < 60; ++i)
+      {
+        const double middle = .5 * (low + high);
+        strain(body, traction_on_x(middle * normal, middle * shear));
+        (excess(body, face) >= 0 ? high : low) = middle;
+      }
+    // Strains of 0.3 % leave the strength about where it is expected.
+    EXPECT_NEAR(high, 1, 1e-2);
+    expect_found(high * (1 - 1e-9) * normal, high * (1 - 1e-9) * shear, false);
+    expect_found(high * (1 + 1e-9) * normal, high * (1 + 1e-9) * shear, true);
+  }
+
+  /** A random stress in each part of the body, strong in places. */
+  void
+  strain_at_random(BreakingBody &body, std::mt19937 &random)
+  {
+    std::uniform_real_distribution<double> value(-1, 1);
+    Matrix                                 gradient;
+    for (auto &row : gradient)
+      for (double &g : row)
+        g = 1e-3 * value(random);
+    strain(body, gradient);
+    const double noise = edge * 4e-4 * (1 + value(random));
+    for (NodalVector &u : body.state.displacement)
+      for (unsigned int d = 0; d < dim; ++d)
+        u[d] += noise * value(random);
+  }
+} // namespace
+
+TEST(Insertion, TensionCutOff)
+{
+  const auto m = granite();
+  expect_threshold(m.tensile_strength, 0);
+  expect_threshold(m.tensile_strength, .9 * m.cohesion);
+}
+
+TEST(Insertion, CohesionInTensionAndFrictionInCompression)
+{
+  const auto m = granite();
+  expect_threshold(0, m.cohesion);
+  expect_threshold(.5 * m.tensile_strength, m.cohesion);
+  const double pressure = 20e6;
+  expect_threshold(-pressure,
+                   m.cohesion + std::tan(m.friction_angle) * pressure);
+  expect_found(-pressure, 0, false);
+  expect_found(-10 * pressure, 0, false);
+}
+
+// The way by hot cells must find what looking at every face finds.
+TEST(Insertion, AgreesWithBruteForce)
+{
+  std::mt19937 random(1);
+  std::size_t  n_found = 0, n_missed = 0;
+  auto         weak   = granite();
+  weak.cohesion       = 10e6;
+  weak.friction_angle = .2;
+  for (unsigned int sample = 0; sample < 400; ++sample)
+    {
+      auto shape = make_box({2, 2, 2}, edge, .2, sample);
+      for (LocalCell &cell : shape.cells)
+        cell.material = random() % 2;
+      auto other            = weak;
+      other.weibull_modulus = sample % 2 ? 5 : 0;
+      CohesiveParameters parameters;
+      parameters.seed = sample;
+      BreakingBody body(shape, {granite(), other}, .25, parameters);
+      // Some faces are cut already.
+      for (const FaceIndex face : body.all_faces())
+        if (random() % 10 == 0)
+          body.topology.face_states[face] = FaceState::cohesive;
+      strain_at_random(body, random);
+
+      const auto expected = brute_force(body);
+      ASSERT_EQ(find_faces(body), expected) << "sample " << sample;
+      n_found += expected.size();
+      n_missed += body.all_faces().size() - expected.size();
+    }
+  EXPECT_GT(n_found, 1000u);
+  EXPECT_GT(n_missed, 1000u);
+}
+
+// The tractions of two cells that share one face are independent, so that the
+// mean may be at the strength while both sides are not: the criterion is not
+// convex where friction begins.
+TEST(Insertion, SeesTheMeanOfUnlikeSides)
+{
+  Body shape;
+  shape.vertices = {{{0, 0, 0}},
+                    {{edge, 0, 0}},
+                    {{.2 * edge, edge, 0}},
+                    {{.3 * edge, .3 * edge, .9 * edge}},
+                    {{.4 * edge, .3 * edge, -.8 * edge}}};
+  shape.cells    = {{0, {{0, 1, 2, 3}}, 0}, {0, {{0, 2, 1, 4}}, 0}};
+  BreakingBody body(shape);
+
+  std::mt19937                           random(2);
+  std::uniform_real_distribution<double> value(-3e-3 * edge, 3e-3 * edge);
+  unsigned int                           n_found = 0;
+  for (unsigned int sample = 0; sample < 100000; ++sample)
+    {
+      for (NodeIndex i = 0; i < body.state.n_nodes(); ++i)
+        if (std::abs(body.state.reference[i][2]) > .1 * edge)
+          for (unsigned int d = 0; d < dim; ++d)
+            body.state.displacement[i][d] = value(random);
+      const auto expected = brute_force(body);
+      ASSERT_EQ(find_faces(body), expected) << "sample " << sample;
+      n_found += expected.size();
+    }
+  EXPECT_GT(n_found, 10000u);
+  EXPECT_LT(n_found, 90000u);
+}
+
+TEST(Insertion, UnbreakableMaterialIsNeverCut)
+{
+  auto hard      = granite();
+  hard.breakable = false;
+  auto shape     = make_box({4, 2, 2}, edge);
+  for (LocalCell &cell : shape.cells)
+    for (const VertexIndex v : cell.vertices)
+      if (shape.vertices[v][0] > 2.5 * edge)
+        cell.material = 1;
+  BreakingBody body(shape, {granite(), hard});
+  strain(body, traction_on_x(100e6, 0));
+  const auto  found  = find_faces(body);
+  std::size_t n_soft = 0;
+  for (const FaceIndex face : body.all_faces())
+    {
+      const Face &f       = body.topology.faces[face];
+      const bool  is_soft = body.topology.material(f.cells[0]) == 0 &&
+                           body.topology.material(f.cells[1]) == 0;
+      EXPECT_EQ(body.strengths.is_breakable(face), is_soft);
+      n_soft += is_soft;
+    }
+  for (const FaceIndex face : found)
+    EXPECT_TRUE(body.strengths.is_breakable(face));
+  EXPECT_GT(found.size(), n_soft / 2);
+}
