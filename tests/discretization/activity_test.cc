@@ -22,12 +22,12 @@ namespace
     motion
   };
 
-  /** A bar of two cubes by two by `length`, set off at z = 0. */
+  /** A bar of `length` cubes, set off at z = 0. */
   class Bar
   {
   public:
     Bar(const unsigned int length, const Cause cause, const double size)
-      : body(make_box({{2, 2, length}}, 1, .1), granite())
+      : body(make_box({{1, 1, length}}, 1), granite())
       , dt(.7 * body.critical_step())
     {
       body.activity              = Activity(body.topology);
@@ -106,7 +106,7 @@ namespace
     ASSERT_EQ(bar.n_awake(), 0u);
 
     std::size_t former = 0, n_growths = 0;
-    for (unsigned int n = 0; n < 400; ++n)
+    for (unsigned int n = 0; n < 350; ++n)
       {
         bar.step();
         awake.step();
