@@ -3,6 +3,7 @@
 #include <rift/base/exceptions.h>
 #include <rift/base/floating_point.h>
 #include <rift/base/number_text.h>
+#include <rift/base/parameter_text.h>
 #include <rift/io/progress.h>
 #include <rift/time_integration/central_difference.h>
 
@@ -37,8 +38,8 @@ namespace rift
     std::string
     place_text(const Vector3<double> &x)
     {
-      return "(" + to_text(x[0]) + ", " + to_text(x[1]) + ", " + to_text(x[2]) +
-             ") m";
+      return "(" + short_text(x[0]) + ", " + short_text(x[1]) + ", " +
+             short_text(x[2]) + ") m";
     }
   } // namespace
 
@@ -294,8 +295,9 @@ namespace rift
     if (!(std::abs(ledger.relative_residual()) <=
           parameters.time.largest_residual))
       throw RunError(
-        "energy runs away: " + to_text(ledger.residual()) +
-        " J have come from nowhere, " + to_text(ledger.relative_residual()) +
+        "energy runs away: the balance is wrong by " +
+        short_text(ledger.residual()) + " J, " +
+        short_text(ledger.relative_residual()) +
         " of the energy in play, more than the \"Largest energy residual\" "
         "of " +
         to_text(parameters.time.largest_residual) + ", at " + moment_text() +
@@ -317,7 +319,7 @@ namespace rift
             fastest = node;
           }
       }
-    return "the fastest node moves with " + to_text(std::sqrt(square)) +
+    return "the fastest node moves with " + short_text(std::sqrt(square)) +
            " m/s at " + place_text(state().position(fastest));
   }
 
@@ -350,9 +352,8 @@ namespace rift
   Simulation::moment_text() const
   {
     return "step " + std::to_string(state().step) +
-           ", t = " + to_text(state().time) + " s, time step " +
-           to_text(std::round(1000 * dt / critical.time_step) / 1000) +
-           " times its safe bound";
+           ", t = " + short_text(state().time) + " s, time step " +
+           short_text(dt / critical.time_step) + " times its safe bound";
   }
 
   void
@@ -365,7 +366,7 @@ namespace rift
     throw RunError(
       "cell " + std::to_string(topology().cell_global_indices[failed.cell]) +
       " of " + body.materials[topology().material(failed.cell)].name + " at " +
-      place_text(centre) + " has " + to_text(failed.volume_ratio) +
+      place_text(centre) + " has " + short_text(failed.volume_ratio) +
       " of its volume; below " + to_text(InternalForce::smallest_volume_ratio) +
       " the elastic law has no meaning. At " + moment_text() +
       ". Choose a smaller time step or safety factor, or a weaker load.");

@@ -28,7 +28,16 @@ if(EXISTS ${CASES}/${NAME}.sh)
 endif()
 
 file(READ ${CASES}/${NAME}.error expected)
-execute_process(COMMAND ${RIFT} ${arguments} WORKING_DIRECTORY ${FOLDER}
+set(command ${RIFT})
+if(EXISTS ${CASES}/${NAME}.limit)
+  # Writing fails beyond the limit instead of ending the program by a signal.
+  # MPI is told to make no files of its own for shared memory.
+  file(STRINGS ${CASES}/${NAME}.limit limit)
+  set(command ${CMAKE_COMMAND} -E env PMIX_MCA_gds=hash OMPI_MCA_btl=self
+    bash -c "trap '' XFSZ; ulimit -f ${limit}; exec \"$@\"" limited
+    ${RIFT})
+endif()
+execute_process(COMMAND ${command} ${arguments} WORKING_DIRECTORY ${FOLDER}
   RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE error)
 if(NOT "${code}\n${error}" STREQUAL "${expected}")
   message(FATAL_ERROR "${NAME}: rift returned and said\n${code}\n${error}\n"

@@ -1,0 +1,2 @@
+cat > msh_empty.msh <<'END'
+END

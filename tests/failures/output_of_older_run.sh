@@ -1,0 +1,3 @@
+mkdir results
+echo > results/energy.csv
+echo > results/summary.json

@@ -1,0 +1,2 @@
+mkdir results
+echo "subsection Mesh" > results/parameters.prm

@@ -1,0 +1,3 @@
+cat > table_empty.csv <<'END'
+time [s],pressure [Pa]
+END
