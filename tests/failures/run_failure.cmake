@@ -34,7 +34,7 @@ if(EXISTS ${CASES}/${NAME}.limit)
   # MPI is told to make no files of its own for shared memory.
   file(STRINGS ${CASES}/${NAME}.limit limit)
   set(command ${CMAKE_COMMAND} -E env PMIX_MCA_gds=hash OMPI_MCA_btl=self
-    bash -c "trap '' XFSZ; ulimit -f ${limit}; exec \"$@\"" limited
+    bash -c "trap '' XFSZ && ulimit -f ${limit} && exec \"$@\"" limited
     ${RIFT})
 endif()
 execute_process(COMMAND ${command} ${arguments} WORKING_DIRECTORY ${FOLDER}

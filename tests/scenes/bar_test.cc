@@ -1,0 +1,95 @@
+// Waves in confined bars against d'Alembert's formula and Christoffel's
+// equation.
+
+#include "plane_wave.h"
+
+#include <gtest/gtest.h>
+
+using namespace rift;
+using test::PlaneWave;
+
+namespace
+{
+  MaterialParameters
+  rock()
+  {
+    MaterialParameters material;
+    material.name           = "rock";
+    material.density        = 2650;
+    material.youngs_modulus = 60e9;
+    material.poissons_ratio = .25;
+    return material;
+  }
+
+  // Barre granite, Pa: orthotropic, the axes normal to hardway, grain, rift.
+  MaterialParameters
+  barre_granite()
+  {
+    MaterialParameters material;
+    material.name       = "barre";
+    material.density    = 2660;
+    material.elasticity = MaterialParameters::Elasticity::anisotropic;
+    material.stiffness  = {{54.7e9, 8.08e9, 7.13e9, 0, 0,      0, 40.7e9,
+                            5.54e9, 0,      0,      0, 35.2e9, 0, 0,
+                            0,      15.5e9, 0,      0, 17.9e9, 0, 19.2e9}};
+    return material;
+  }
+} // namespace
+
+TEST(ConfinedBar, SpeedOfPWavesAndOrderOfTheError)
+{
+  const double speed = std::sqrt(1.2 * 60e9 / 2650);
+  PlaneWave    wave{rock()};
+  double       previous = 0;
+  for (const double size : {3e-3, 1.5e-3, .75e-3})
+    {
+      wave.element_size              = size;
+      const PlaneWave::Result result = wave.run(speed);
+      EXPECT_NEAR(result.speed / speed, 1, .005) << "element size " << size;
+      if (previous > 0)
+        {
+          EXPECT_GE(std::log2(previous / result.error), 1.5)
+            << "element size " << size << ": " << previous << " to "
+            << result.error;
+        }
+      previous = result.error;
+    }
+  EXPECT_LE(previous, 2e-3);
+}
+
+TEST(OrthotropicBlock, SpeedsAlongMaterialAxes)
+{
+  // Rows: the material axes 1 and 2 so that 1, 2, 3 lies along the bar. Speeds
+  // squared times density of P-waves and of S-waves that move along y.
+  struct Case
+  {
+    Vector3<double> axis_1, axis_2;
+    double          p_modulus, s_modulus;
+  };
+  const Case cases[] = {{{{1, 0, 0}}, {{0, 1, 0}}, 54.7e9, 19.2e9},
+                        {{{0, 0, 1}}, {{1, 0, 0}}, 40.7e9, 15.5e9},
+                        {{{0, 1, 0}}, {{0, 0, 1}}, 35.2e9, 17.9e9}};
+  for (const Case &c : cases)
+    {
+      PlaneWave wave{barre_granite()};
+      wave.material.axis_1 = c.axis_1;
+      wave.material.axis_2 = c.axis_2;
+      double speed         = std::sqrt(c.p_modulus / 2660);
+      EXPECT_NEAR(wave.run(speed).speed / speed, 1, .01);
+
+      wave.direction = 1;
+      speed          = std::sqrt(c.s_modulus / 2660);
+      EXPECT_NEAR(wave.run(speed).speed / speed, 1, .01);
+    }
+}
+
+TEST(OrthotropicBlock, PWavesWithAxesTurnedAboutTheBar)
+{
+  // The P-wave is the same whatever the angle about its direction.
+  const double angle = .5;
+  PlaneWave    wave{barre_granite()};
+  wave.material.axis_1 = {{1, 0, 0}};
+  wave.material.axis_2 = {{0, std::cos(angle), std::sin(angle)}};
+  const double speed   = std::sqrt(54.7e9 / 2660);
+  EXPECT_NEAR(wave.run(speed).speed / speed, 1, .01);
+}
