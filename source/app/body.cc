@@ -155,6 +155,12 @@ namespace rift
         text += (text.empty() ? "" : ", ") + name;
       return text.empty() ? std::string("none") : text;
     };
+    if (const std::size_t n_new =
+          body.discretization.topology.n_nodes() - mesh.vertices.size();
+        n_new > 0)
+      log.write("Pieces that touch by an edge or a vertex alone are not "
+                "connected there: " +
+                std::to_string(n_new) + " nodes have been doubled");
     log.write("Mesh " + mesh.source + ": " +
               std::to_string(body.discretization.topology.n_cells()) +
               " cells, " +

@@ -17,6 +17,9 @@ namespace rift
     /** Number of steps between two looks at the balance of energy. */
     constexpr std::uint64_t balance_interval = 100;
 
+    /** Years of computing; more is a mistake in the scene. */
+    constexpr double largest_number_of_steps = 1e12;
+
     std::vector<double>
     densities_of(const std::vector<MaterialParameters> &materials)
     {
@@ -133,14 +136,24 @@ namespace rift
     dt                         = time.time_step > 0 ? time.time_step :
                                                       time.safety_factor * critical.time_step;
     // A little tolerance, so that rounding does not add a step.
-    last_step =
-      static_cast<std::uint64_t>(std::ceil(time.end_time / dt * (1 - 1e-12)));
+    const double n_steps = std::ceil(time.end_time / dt * (1 - 1e-12));
+    if (!(dt > 0 && n_steps <= largest_number_of_steps))
+      throw InputError("to come to the end time of " + to_text(time.end_time) +
+                       " s in steps of " + to_text(dt) + " s takes " +
+                       to_text(n_steps) + " steps; rift counts to " +
+                       to_text(largest_number_of_steps) +
+                       ". Look at the end time, the time step, the stiffness "
+                       "factor and the viscosities.");
+    last_step = static_cast<std::uint64_t>(n_steps);
     if (time.time_step == 0)
       dt = time.end_time / last_step;
-    log.write("Time step " + to_text(dt) + " s, " +
-              to_text(std::round(1000 * dt / critical.time_step) / 1000) +
-              " times the bound set by " + critical.limited_by + "; " +
-              std::to_string(last_step) + " steps");
+    log.write("Time step " + short_text(dt) + " s, " +
+              short_text(dt / critical.time_step) + " times the bound set by " +
+              critical.limited_by + "; " + std::to_string(last_step) +
+              " steps");
+    if (dt > critical.time_step)
+      log.write("WARNING: the time step is above the bound at which it is "
+                "sure to be stable");
   }
 
   void
@@ -171,8 +184,14 @@ namespace rift
               duration_text(timer.total()) + "; " +
               std::to_string(summary.faces_inserted) +
               " faces cut, largest residual of the energy ledger " +
-              to_text(ledger.largest_relative_residual()) +
+              short_text(ledger.largest_relative_residual()) +
               " of the energy put in");
+    if (fracture && fracture->force.n_too_short() > 0)
+      log.write("WARNING: " + std::to_string(fracture->force.n_too_short()) +
+                " of " + std::to_string(fracture->force.faces().size()) +
+                " opened faces need more than their fracture energy: the "
+                "elements are too large for these strengths and fracture "
+                "energies (doc/theory.md, section 4)");
   }
 
   void
@@ -212,10 +231,16 @@ namespace rift
     // 5. Faces that begin to open take over the forces that held them
     if (fracture)
       {
-        fracture->force.start_openings(state,
-                                       prescribed_motion ?
-                                         prescribed_motion->components() :
-                                         std::vector<std::uint8_t>());
+        fracture->force.start_openings(
+          state,
+          [this](const NodeIndex node, const unsigned int component) {
+            return prescribed_motion ?
+                     prescribed_motion->acceleration(this->state(),
+                                                     dt,
+                                                     node,
+                                                     component) :
+                     std::optional<double>();
+          });
         timer.stop("cohesive forces");
       }
 

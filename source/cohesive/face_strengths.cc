@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rift
 {
@@ -109,32 +110,31 @@ namespace rift
   {
     constexpr double margin = .9;
 
+    // One friction angle for all materials: with different ones on its two
+    // sides, a face could be at its strength and neither cell at its bound.
+    // The least friction allows the most shear in compression.
+    double tan = std::numeric_limits<double>::max();
+    for (const auto &pair : pairs)
+      if (pair)
+        tan = std::min(tan, pair->tan_friction_angle);
+    const double cos = 1 / std::sqrt(1 + tan * tan);
+
     std::vector<std::optional<StressBound>> bounds(n_materials);
     for (FaceIndex face = 0; face < topology.faces.size(); ++face)
       if (is_breakable(face))
-        {
-          const FaceStrength s   = strength(face);
-          const double       tan = s.tan_friction_angle;
-          const StressBound  of_face{margin * s.tensile_strength,
-                                    margin * s.cohesion,
-                                    tan,
-                                    1 / std::sqrt(1 + tan * tan)};
-          for (const CellIndex cell : topology.faces[face].cells)
-            {
-              auto &bound = bounds[topology.material(cell)];
-              if (!bound)
-                bound = of_face;
-              bound->tensile_strength =
-                std::min(bound->tensile_strength, of_face.tensile_strength);
-              bound->cohesion = std::min(bound->cohesion, of_face.cohesion);
-              // The least friction allows the most shear in compression.
-              if (tan < bound->tan_friction_angle)
-                {
-                  bound->tan_friction_angle = tan;
-                  bound->cos_friction_angle = of_face.cos_friction_angle;
-                }
-            }
-        }
+        for (const CellIndex cell : topology.faces[face].cells)
+          {
+            const FaceStrength s     = strength(face);
+            auto              &bound = bounds[topology.material(cell)];
+            if (!bound)
+              bound = StressBound{margin * s.tensile_strength,
+                                  margin * s.cohesion,
+                                  tan,
+                                  cos};
+            bound->tensile_strength =
+              std::min(bound->tensile_strength, margin * s.tensile_strength);
+            bound->cohesion = std::min(bound->cohesion, margin * s.cohesion);
+          }
     return bounds;
   }
 } // namespace rift

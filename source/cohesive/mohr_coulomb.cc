@@ -65,6 +65,20 @@ namespace rift
     return point;
   }
 
+  bool
+  is_separation_too_short(const FaceStrength &strength, const double stiffness)
+  {
+    const auto is_too_short = [stiffness](const double of_strength,
+                                          const double energy) {
+      return Softening::integral * MohrCoulomb::shortest_separation *
+               of_strength * of_strength / stiffness >
+             energy;
+    };
+    return is_too_short(strength.tensile_strength,
+                        strength.fracture_energy_1) ||
+           is_too_short(strength.cohesion, strength.fracture_energy_2);
+  }
+
   double
   hold_traction(CohesivePoint<double> &point,
                 const Vector3<double> &jump,
@@ -78,7 +92,9 @@ namespace rift
     const double tensile_strength = point.softening * strength.tensile_strength;
     const double cohesion         = point.softening * strength.cohesion;
     const double shear            = std::hypot(t[1], t[2]) - friction;
-    if (t[0] * cohesion > shear * tensile_strength && point.softening > 0)
+    // A face that opens in tension has the shear strength that it needs.
+    if (t[0] > 0 && point.softening > 0 &&
+        t[0] * cohesion > shear * tensile_strength)
       point.cohesion = std::min(shear / point.softening, strength.cohesion);
     point.normal_excess = std::max(0., t[0] - tensile_strength);
     point.shear_excess = std::max(0., shear - point.softening * point.cohesion);

@@ -3,6 +3,7 @@
 #include <rift/solid/cell_frequency.h>
 
 #include <algorithm>
+#include <limits>
 
 // How cohesive elements come to life: the half of CohesiveForce that follows
 // the changes of the topology.
@@ -139,6 +140,7 @@ namespace rift
     constants.tan_friction_angle[lane] = strength.tan_friction_angle;
     for (unsigned int q = 0; q < n_face_points; ++q)
       set_point(batch, q, lane, make_cohesive_point(strength, slope));
+    too_short += is_separation_too_short(strength, slope) ? 1 : 0;
     batch.n_faces = lane + 1;
   }
 
@@ -167,20 +169,23 @@ namespace rift
   }
 
   void
-  CohesiveForce::start_openings(
-    State                           &state,
-    const std::vector<std::uint8_t> &prescribed_components)
+  CohesiveForce::start_openings(State                        &state,
+                                const PrescribedAcceleration &prescribed)
   {
+    if (partings.empty())
+      return;
     std::vector<CornerForce> shares;
     for (const Parting &parting : partings)
-      share_bond_forces(state, parting, prescribed_components, shares);
+      share_bond_forces(state, parting, prescribed, shares);
     partings.clear();
 
-    std::stable_sort(shares.begin(),
-                     shares.end(),
-                     [](const CornerForce &a, const CornerForce &b) {
-                       return a.opening.index < b.opening.index;
-                     });
+    // An order that does not depend on how nodes are numbered here.
+    std::sort(shares.begin(),
+              shares.end(),
+              [](const CornerForce &a, const CornerForce &b) {
+                return std::make_pair(a.opening.index, a.opening.corner) <
+                       std::make_pair(b.opening.index, b.opening.corner);
+              });
     for (auto first = shares.begin(); first != shares.end();)
       {
         auto last = first;
@@ -192,44 +197,65 @@ namespace rift
       }
   }
 
+  std::vector<Vector3<double>>
+  CohesiveForce::bond_forces(const State                  &state,
+                             const Parting                &parting,
+                             const PrescribedAcceleration &prescribed)
+  {
+    const std::size_t            n = parting.nodes.size();
+    std::vector<Vector3<double>> bond(n);
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        double                force = 0, mass = 0, held_mass = 0;
+        std::optional<double> acceleration;
+        std::vector<bool>     is_held(n, false);
+        for (std::size_t i = 0; i < n; ++i)
+          {
+            const NodeIndex node = parting.nodes[i];
+            force += state.force[node][d];
+            mass += state.mass[node];
+            if (const auto a = prescribed ? prescribed(node, d) : std::nullopt)
+              {
+                acceleration = a;
+                is_held[i]   = true;
+                held_mass += state.mass[node];
+              }
+          }
+        double of_free_nodes = 0;
+        for (std::size_t i = 0; i < n; ++i)
+          if (!is_held[i])
+            {
+              const NodeIndex node = parting.nodes[i];
+              bond[i][d] =
+                state.mass[node] * acceleration.value_or(force / mass) -
+                state.force[node][d];
+              of_free_nodes += bond[i][d];
+            }
+        // What free nodes need comes from the held ones, by mass.
+        for (std::size_t i = 0; i < n; ++i)
+          if (is_held[i])
+            bond[i][d] =
+              -of_free_nodes * state.mass[parting.nodes[i]] / held_mass;
+      }
+    return bond;
+  }
+
   void
-  CohesiveForce::share_bond_forces(
-    const State                     &state,
-    const Parting                   &parting,
-    const std::vector<std::uint8_t> &prescribed_components,
-    std::vector<CornerForce>        &shares) const
+  CohesiveForce::share_bond_forces(const State                  &state,
+                                   const Parting                &parting,
+                                   const PrescribedAcceleration &prescribed,
+                                   std::vector<CornerForce>     &shares) const
   {
     // Forces of the faces F = area (lambda_minus - lambda_plus), with lambda
     // one vector per node, are the smallest (in the mean over the area) that
     // balance the bond forces. For two nodes that is a share by area.
-    const std::size_t            n = parting.nodes.size();
-    std::vector<double>          matrix(n * n, 0.);
-    std::vector<Vector3<double>> lambda(n);
-    const auto                   position = [&](const NodeIndex node) {
+    const std::size_t   n = parting.nodes.size();
+    std::vector<double> matrix(n * n, 0.);
+    auto                lambda   = bond_forces(state, parting, prescribed);
+    const auto          position = [&](const NodeIndex node) {
       return std::find(parting.nodes.begin(), parting.nodes.end(), node) -
              parting.nodes.begin();
     };
-
-    Vector3<double> total_force = {{0, 0, 0}};
-    double          total_mass  = 0;
-    for (const NodeIndex node : parting.nodes)
-      {
-        total_force += state.force[node].vector();
-        total_mass += state.mass[node];
-      }
-    for (std::size_t i = 0; i < n; ++i)
-      lambda[i] = (state.mass[parting.nodes[i]] / total_mass) * total_force -
-                  state.force[parting.nodes[i]].vector();
-    if (!prescribed_components.empty())
-      {
-        std::uint8_t everywhere = 7;
-        for (const NodeIndex node : parting.nodes)
-          everywhere &= prescribed_components[node];
-        for (Vector3<double> &bond_force : lambda)
-          for (unsigned int d = 0; d < dim; ++d)
-            if ((everywhere >> d) & 1)
-              bond_force[d] = 0;
-      }
     const auto ends = [&](const Opening &opening) {
       const CohesiveBatch &batch =
         cohesive_faces.batches[opening.index / batch_size];

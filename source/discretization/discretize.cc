@@ -1,5 +1,6 @@
 #include <rift/base/exceptions.h>
 #include <rift/discretization/discretize.h>
+#include <rift/mesh/node_splitter.h>
 
 #include <deal.II/dofs/dof_handler.h>
 
@@ -72,6 +73,7 @@ namespace rift
     Discretization result{make_topology(cells, triangulation), {}, {}};
     Topology      &topology = result.topology;
 
+    separate_touching_pieces(topology);
     result.reference.resize(topology.n_batches(), ReferenceBatch{});
     result.state.resize(topology.n_nodes());
     CellIndex slot = 0;

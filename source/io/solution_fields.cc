@@ -144,7 +144,7 @@ namespace rift
       for (unsigned int c = 0; c < n_corners && !topology.is_padding(cell); ++c)
         {
           const NodeIndex       node = topology.node(cell, c);
-          const Vector3<double> data[2] = {state.position(node),
+          const Vector3<double> data[2] = {state.displacement[node].vector(),
                                            state.velocity[node].vector()};
           XXH3_64bits_update(hash, data, sizeof(data));
         }

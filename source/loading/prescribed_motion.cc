@@ -29,7 +29,7 @@ namespace rift
   {
     conditions.clear();
     prescribed_components.assign(topology.n_nodes(), 0);
-    std::uint8_t function = 0;
+    std::uint16_t function = 0;
     for (const Boundary &boundary : boundaries)
       {
         const auto nodes = surface_nodes(topology, boundary.surface);
@@ -47,6 +47,23 @@ namespace rift
             ++function;
           }
       }
+  }
+
+  std::optional<double>
+  PrescribedMotion::acceleration(const State       &state,
+                                 const double       time_step,
+                                 const NodeIndex    node,
+                                 const unsigned int component) const
+  {
+    if (!((prescribed_components[node] >> component) & 1))
+      return {};
+    // Asked for a few nodes of a few steps: a search will do.
+    for (const Condition &c : conditions)
+      if (c.node == node && c.component == component)
+        return (functions[c.function](state.time + .5 * time_step) -
+                state.velocity[node][component]) /
+               time_step;
+    return {};
   }
 
   void

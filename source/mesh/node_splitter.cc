@@ -112,4 +112,13 @@ namespace rift
       }
     return change;
   }
+
+  std::size_t
+  separate_touching_pieces(Topology &topology)
+  {
+    const auto n_before = static_cast<NodeIndex>(topology.n_nodes());
+    for (NodeIndex node = 0; node < n_before; ++node)
+      split_node(topology, node);
+    return topology.n_nodes() - n_before;
+  }
 } // namespace rift

@@ -80,7 +80,7 @@ namespace rift
                                                 of.density);
                     const double ratio = rate / (2 * omega);
                     const double bound =
-                      2 / omega * (std::sqrt(1 + ratio * ratio) - ratio);
+                      2 / (omega * (std::sqrt(1 + ratio * ratio) + ratio));
                     if (bound < result.time_step)
                       {
                         result.time_step = bound;

@@ -209,6 +209,45 @@ TEST(Opening, FaceWithoutPartedNodesLiesIdle)
 }
 
 // A force that holds a support up is no force between the nodes on it.
+TEST(Opening, BesideAGripNodesKeepTheAccelerationOfTheGrip)
+{
+  // Cells of a held face are cut from the rest: parts of a node that keep a
+  // cell at the grip go on with it, and so must the others.
+  constexpr double h = 1e-3;
+  std::mt19937     random(2);
+  BreakingBody     body(make_box({2, 2, 2}, h));
+  strain_at_random(body, random, 1e-4, h);
+  const auto change = body.split(body.faces_in_plane(0, h));
+  body.internal_force.add_to(body.state, body.activity);
+  body.force.add_to(body.state);
+  const PrescribedAcceleration is_held = [](const NodeIndex    node,
+                                            const unsigned int d) {
+    // Some of the parts, whichever.
+    return d == 0 && node % 2 == 0 ? std::optional<double>(1.5e4) :
+                                     std::nullopt;
+  };
+  body.force.start_openings(body.state, is_held);
+  unsigned int n_mixed = 0;
+  for (const NodeSplit &split : change.splits)
+    {
+      unsigned int n_held = 0;
+      for (const NodeIndex node : split.parts)
+        n_held += is_held(node, 0) ? 1 : 0;
+      if (n_held == 0 || n_held == split.parts.size())
+        continue;
+      ++n_mixed;
+      for (const NodeIndex node : split.parts)
+        {
+          const double a = body.state.force[node][0] / body.state.mass[node];
+          if (!is_held(node, 0))
+            {
+              EXPECT_NEAR(a, *is_held(0, 0), 1e-9 * *is_held(0, 0));
+            }
+        }
+    }
+  EXPECT_GT(n_mixed, 0u);
+}
+
 TEST(Opening, PrescribedComponentsTransmitNothing)
 {
   constexpr double h = 1e-3;
@@ -218,13 +257,13 @@ TEST(Opening, PrescribedComponentsTransmitNothing)
       BreakingBody body(make_box({2, 1, 1}, h));
       strain_at_random(body, random, 1e-4, h);
       body.split(body.faces_in_plane(0, h));
-      const std::uint8_t all = 7;
       body.internal_force.add_to(body.state, body.activity);
       body.force.add_to(body.state);
       body.force.start_openings(
         body.state,
-        std::vector<std::uint8_t>(body.state.n_nodes(),
-                                  is_prescribed ? all : 0));
+        [is_prescribed](const NodeIndex, const unsigned int) {
+          return is_prescribed ? std::optional<double>(0) : std::nullopt;
+        });
       double largest = 0;
       ASSERT_EQ(body.force.faces().size(), 2u);
       for (std::size_t i = 0; i < 2; ++i)

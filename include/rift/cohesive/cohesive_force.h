@@ -7,10 +7,17 @@
 #include <rift/discretization/state.h>
 #include <rift/material/elasticity.h>
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 namespace rift
 {
+  /** Acceleration of a component of a node, m/s^2, if it is prescribed; empty
+   * where none is. */
+  using PrescribedAcceleration =
+    std::function<std::optional<double>(NodeIndex, unsigned int)>;
+
   /** Energies of all cohesive elements, J. */
   struct CohesiveEnergy
   {
@@ -65,13 +72,12 @@ namespace rift
      * other forces have been summed. Accelerations then do not jump
      * (doc/theory.md, section 5).
      *
-     * @param prescribed_components bit d of entry i is set where component d
-     *   of node i is prescribed; empty if nothing is. Where it is prescribed
-     *   at all of the nodes, no force has held them together.
+     * @param prescribed where the motion of nodes is prescribed, the
+     *   acceleration of a component of one: that is then the common one, and
+     *   the grip takes what is left of the balance.
      */
     void
-    start_openings(State                           &state,
-                   const std::vector<std::uint8_t> &prescribed_components);
+    start_openings(State &state, const PrescribedAcceleration &prescribed);
 
     /** Energies at the last add_to(). */
     CohesiveEnergy
@@ -81,6 +87,16 @@ namespace rift
     faces() const
     {
       return cohesive_faces;
+    }
+
+    /**
+     * Number of faces that have opened though the mesh is too coarse for their
+     * fracture energy; see is_separation_too_short().
+     */
+    std::size_t
+    n_too_short() const
+    {
+      return too_short;
     }
 
     /** Number of faces that have failed. */
@@ -138,10 +154,16 @@ namespace rift
 
     /** Divides the bond forces of the nodes among the faces that open. */
     void
-    share_bond_forces(const State                     &state,
-                      const Parting                   &parting,
-                      const std::vector<std::uint8_t> &prescribed_components,
-                      std::vector<CornerForce>        &shares) const;
+    share_bond_forces(const State                  &state,
+                      const Parting                &parting,
+                      const PrescribedAcceleration &prescribed,
+                      std::vector<CornerForce>     &shares) const;
+
+    /** m_A a - f_A of each of the nodes that have parted, N. */
+    static std::vector<Vector3<double>>
+    bond_forces(const State                  &state,
+                const Parting                &parting,
+                const PrescribedAcceleration &prescribed);
 
     /** Gives the points of one face the traction that makes these forces. */
     void
@@ -163,7 +185,7 @@ namespace rift
     const MohrCoulomb                  law;
 
     CohesiveFaces cohesive_faces;
-    std::size_t   failed = 0;
+    std::size_t   failed = 0, too_short = 0;
 
     /** Index in cohesive_faces of each interior face, if it has one. */
     std::vector<std::uint32_t> index_of_face;

@@ -33,7 +33,7 @@ namespace rift
   fracture_solution(const State &state, const CohesiveForce &cohesive_force);
 
   /**
-   * Hash of positions and velocities of all corners of all cells in canonical
+   * Hash of displacements and velocities of all corners of all cells in canonical
    * order, as hexadecimal text: equal if and only if two states are.
    */
   std::string

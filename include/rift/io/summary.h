@@ -44,7 +44,7 @@ namespace rift
     /** Largest residual of the ledger over the run, per energy put in. */
     double energy_residual_relative = 0;
 
-    /** Hash of the final positions and velocities in canonical order. */
+    /** Hash of the final displacements and velocities in canonical order. */
     std::string state_hash;
 
     /** Where the wall time went, s. */

@@ -7,6 +7,7 @@
 #include <rift/loading/time_function.h>
 #include <rift/mesh/surface.h>
 
+#include <optional>
 #include <vector>
 
 namespace rift
@@ -51,19 +52,22 @@ namespace rift
     void
     update_nodes();
 
-    /** Bit d of entry i is set where component d of node i is prescribed. */
-    const std::vector<std::uint8_t> &
-    components() const
-    {
-      return prescribed_components;
-    }
+    /**
+     * Acceleration of a component of a node during the step from t_n, m/s^2,
+     * where its velocity is prescribed.
+     */
+    std::optional<double>
+    acceleration(const State &state,
+                 double       time_step,
+                 NodeIndex    node,
+                 unsigned int component) const;
 
   private:
     struct Condition
     {
-      NodeIndex    node;
-      std::uint8_t component;
-      std::uint8_t function;
+      NodeIndex     node;
+      std::uint8_t  component;
+      std::uint16_t function;
     };
 
     const Topology             &topology;

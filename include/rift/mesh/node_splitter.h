@@ -43,6 +43,15 @@ namespace rift
    */
   TopologyChange
   split_nodes(Topology &topology, const std::vector<FaceIndex> &cut_faces);
+  /**
+   * Gives a node of its own to each piece of cells at vertices where pieces
+   * touch by an edge or by the vertex alone, before anything is cut: where no
+   * face connects them there is nothing that could be cut, either.
+   *
+   * @return number of nodes that this has made.
+   */
+  std::size_t
+  separate_touching_pieces(Topology &topology);
 } // namespace rift
 
 #endif

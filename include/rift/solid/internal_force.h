@@ -29,7 +29,8 @@ namespace rift
     double tensile_strength;
     double cohesion;
 
-    /** tan and cos of the largest friction angle. */
+    /** tan and cos of the smallest friction angle: the least friction allows
+     * the most shear in compression. */
     double tan_friction_angle, cos_friction_angle;
   };
 

@@ -153,6 +153,14 @@ namespace rift
   CohesiveConstants<double>
   make_constants(const FaceStrength &strength, double stiffness);
 
+  /**
+   * Whether a face needs more than its fracture energy in one of the modes,
+   * since a separation that spent just that would be shorter than
+   * MohrCoulomb::shortest_separation: the mesh is too coarse for the material.
+   */
+  bool
+  is_separation_too_short(const FaceStrength &strength, double stiffness);
+
   /** A point that has not opened. */
   CohesivePoint<double>
   make_cohesive_point(const FaceStrength &strength, double stiffness);
