@@ -17,6 +17,9 @@ namespace rift
     /** Number of steps between two looks at the balance of energy. */
     constexpr std::uint64_t balance_interval = 100;
 
+    /** No body stands a step above the bound by this. */
+    constexpr double largest_step_over_bound = 10;
+
     /** Years of computing; more is a mistake in the scene. */
     constexpr double largest_number_of_steps = 1e12;
 
@@ -151,6 +154,12 @@ namespace rift
               short_text(dt / critical.time_step) + " times the bound set by " +
               critical.limited_by + "; " + std::to_string(last_step) +
               " steps");
+    if (dt > largest_step_over_bound * critical.time_step)
+      throw InputError("the time step of " + to_text(dt) + " s is " +
+                       short_text(dt / critical.time_step) +
+                       " times the bound at which it is sure to be stable, " +
+                       short_text(critical.time_step) +
+                       " s. Set \"Time step = auto\" in subsection Time.");
     if (dt > critical.time_step)
       log.write("WARNING: the time step is above the bound at which it is "
                 "sure to be stable");

@@ -43,9 +43,10 @@ namespace rift
             batch.friction += area * dissipation.friction;
             largest_softening = max(largest_softening, point.softening);
           }
-        scatter(batch, face_forces(batch, kinematics, quadrature), state);
         if (any(largest_softening <= 0.))
           note_failures(b, state.time);
+        release_distant_faces(b, kinematics, state.time);
+        scatter(batch, face_forces(batch, kinematics, quadrature), state);
       }
   }
 
@@ -79,12 +80,53 @@ namespace rift
         for (unsigned int q = 0; q < n_face_points && has_failed; ++q)
           has_failed = batch.points[q].softening[lane] <= 0;
         if (has_failed)
-          {
-            info.failure_time               = time;
-            topology.face_states[info.face] = FaceState::broken;
-            ++failed;
-          }
+          fail(info, time);
       }
+  }
+
+  void
+  CohesiveForce::release_distant_faces(const std::size_t     b,
+                                       const FaceKinematics &kinematics,
+                                       const double          time)
+  {
+    CohesiveBatch &batch = cohesive_faces.batches[b];
+    Simd           largest{};
+    for (const Vector3<Simd> &jump : kinematics.jumps)
+      largest = max(largest, dot(jump, jump));
+    constexpr double near = release_if_free * release_if_free;
+    constexpr double far  = release_always * release_always;
+    if (!any((largest > near * batch.area) & (batch.area > 0.)))
+      return;
+
+    for (unsigned int lane = 0; lane < batch.n_faces; ++lane)
+      {
+        CohesiveFaceInfo &info    = cohesive_faces.infos[b * batch_size + lane];
+        const double      area    = batch.area[lane];
+        bool              is_free = info.failure_time >= 0;
+        double            elastic = 0;
+        for (unsigned int q = 0; q < n_face_points; ++q)
+          {
+            const auto t = get_point(batch, q, lane).traction;
+            is_free      = is_free && t[0] >= 0;
+            elastic += .5 * quadrature.weight[q] * area * dot(t, t) /
+                       batch.constants.stiffness[lane];
+          }
+        if (area == 0 || !(largest[lane] > (is_free ? near : far) * area))
+          continue;
+        batch.area[lane] = 0;
+        batch.fracture[lane] += elastic;
+        fail(info, time);
+      }
+  }
+
+  void
+  CohesiveForce::fail(CohesiveFaceInfo &info, const double time)
+  {
+    if (info.failure_time >= 0)
+      return;
+    info.failure_time               = time;
+    topology.face_states[info.face] = FaceState::broken;
+    ++failed;
   }
 
   CohesiveEnergy

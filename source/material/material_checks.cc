@@ -8,6 +8,9 @@ namespace rift
 {
   namespace
   {
+    /** With steeper ones, sliding faces were seen to make energy, rad. */
+    constexpr double largest_friction_angle = 80.001 * M_PI / 180;
+
     using Matrix6 = std::array<std::array<double, 6>, 6>;
 
     // The stiffness in Kelvin's form, in which stress and strain are vectors
@@ -161,9 +164,11 @@ namespace rift
             std::make_pair("Fracture energy II", material.fracture_energy_2)})
         if (!(value >= 0))
           refuse(name, "this cannot be negative.");
-      if (!(material.friction_angle >= 0 && material.friction_angle < M_PI_2))
+      if (!(material.friction_angle >= 0 &&
+            material.friction_angle <= largest_friction_angle))
         refuse("Friction angle",
-               "this must be at least 0 and less than 90 degrees.");
+               "this must be between 0 and 80 degrees. Steeper friction is "
+               "not covered by the bound of the time step.");
       const double m = material.weibull_modulus;
       if (!(m == 0 || m >= 1))
         refuse("Weibull modulus",

@@ -139,12 +139,12 @@ TEST(MaterialChecks, Axes)
 TEST(MaterialChecks, Strength)
 {
   MaterialParameters material = granite();
-  material.friction_angle     = 89.9 * M_PI / 180;
+  material.friction_angle     = 80 * M_PI / 180;
   EXPECT_EQ(problem(material), "");
   material.friction_angle = -0.01;
   EXPECT_EQ(problem(material),
-            "Friction angle: this must be at least 0 and less than 90 "
-            "degrees.");
+            "Friction angle: this must be between 0 and 80 degrees. Steeper "
+            "friction is not covered by the bound of the time step.");
 
   // What does not break needs no strength.
   material.friction_angle   = 0;
