@@ -58,7 +58,7 @@ namespace rift
         {"Material rock/Young's modulus", "40.6e9"},
         {"Material rock/Poisson's ratio", "0.2"},
         {"Boundary x_min/Pressure",
-         "if(t < 10e-6, 1e6 * sin(pi * t / 10e-6), 0)"},
+         "t < 10e-6 ? 1e6 * sin(pi * t / 10e-6) : 0"},
         {"Time/End time", "50e-6"},
         {"Output/Solution interval", "5e-6"},
         {"Probe end/Field", "velocity x"},

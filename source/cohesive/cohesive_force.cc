@@ -93,30 +93,25 @@ namespace rift
     Simd           largest{};
     for (const Vector3<Simd> &jump : kinematics.jumps)
       largest = max(largest, dot(jump, jump));
-    constexpr double near = release_if_free * release_if_free;
-    constexpr double far  = release_always * release_always;
-    if (!any((largest > near * batch.area) & (batch.area > 0.)))
+    const SimdMask is_distant =
+      (largest > release_distance * release_distance * batch.area) &
+      (batch.area > 0.);
+    if (!any(is_distant))
       return;
 
     for (unsigned int lane = 0; lane < batch.n_faces; ++lane)
-      {
-        CohesiveFaceInfo &info    = cohesive_faces.infos[b * batch_size + lane];
-        const double      area    = batch.area[lane];
-        bool              is_free = info.failure_time >= 0;
-        double            elastic = 0;
-        for (unsigned int q = 0; q < n_face_points; ++q)
-          {
-            const auto t = get_point(batch, q, lane).traction;
-            is_free      = is_free && t[0] >= 0;
-            elastic += .5 * quadrature.weight[q] * area * dot(t, t) /
-                       batch.constants.stiffness[lane];
-          }
-        if (area == 0 || !(largest[lane] > (is_free ? near : far) * area))
-          continue;
-        batch.area[lane] = 0;
-        batch.fracture[lane] += elastic;
-        fail(info, time);
-      }
+      if (is_distant[lane])
+        {
+          for (unsigned int q = 0; q < n_face_points; ++q)
+            {
+              const auto t = get_point(batch, q, lane).traction;
+              batch.fracture[lane] += .5 * quadrature.weight[q] *
+                                      batch.area[lane] * dot(t, t) /
+                                      batch.constants.stiffness[lane];
+            }
+          batch.area[lane] = 0;
+          fail(cohesive_faces.infos[b * batch_size + lane], time);
+        }
   }
 
   void

@@ -35,9 +35,8 @@ namespace rift
    * A face fails when all of its seven points have reached D = 1: nothing is
    * cut off then, so that failing releases no energy and separation has
    * used up the fracture energy times the area. Until contact takes over, a
-   * failed face still resists overlap, unless its sides have moved apart by
-   * more than a tenth of its size. A face whose sides are half of its size
-   * apart has failed in any case.
+   * failed face still resists overlap. A face whose sides have moved apart by
+   * half of its size has failed in any case and resists nothing.
    */
   class CohesiveForce
   {
@@ -178,18 +177,17 @@ namespace rift
     note_failures(std::size_t batch_number, double time);
 
     /**
-     * Lets go of faces whose sides have moved apart, since an element between
-     * them says nothing of overlap once they have turned against each other:
-     * failed ones that carry no traction at a jump of `release_if_free`, all
-     * at `release_always`, times the root of the area. What is left of their
-     * elastic energy counts as used up. A face let go of has no area.
+     * Lets go of faces whose sides have moved apart by `release_distance`
+     * times the root of their area, since an element between them says nothing
+     * of overlap once they have turned against each other. What is left of
+     * their elastic energy counts as used up. A face let go of has no area.
      */
     void
     release_distant_faces(std::size_t           batch_number,
                           const FaceKinematics &kinematics,
                           double                time);
 
-    static constexpr double release_if_free = .1, release_always = .5;
+    static constexpr double release_distance = .5;
 
     /** Notes that a face has failed, if that is new. */
     void
