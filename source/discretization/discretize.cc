@@ -44,8 +44,7 @@ namespace rift
           LocalCell local{global_index, {}, 0};
           local.material = static_cast<std::uint16_t>(cell->material_id());
           for (unsigned int c = 0; c < n_corners; ++c)
-            local.vertices[c] =
-              static_cast<VertexIndex>(cell->vertex_index(c));
+            local.vertices[c] = static_cast<VertexIndex>(cell->vertex_index(c));
           local_cells.push_back(local);
         }
       return Topology(local_cells, triangulation.n_vertices());
@@ -58,9 +57,9 @@ namespace rift
   {
     // The vector-valued space of the displacement; its scalar shape functions
     // are the same for the three components, so that of x is asked.
-    const dealii::FESystem<3>   fe(dealii::FE_SimplexP<3>(1), dim);
-    dealii::DoFHandler<3>       dof_handler(triangulation);
-    const dealii::MappingFE<3>  mapping(dealii::FE_SimplexP<3>(1));
+    const dealii::FESystem<3>      fe(dealii::FE_SimplexP<3>(1), dim);
+    dealii::DoFHandler<3>          dof_handler(triangulation);
+    const dealii::MappingFE<3>     mapping(dealii::FE_SimplexP<3>(1));
     const dealii::QGaussSimplex<3> quadrature(1);
     dealii::FEValues<3>            fe_values(mapping,
                                   fe,
@@ -69,7 +68,7 @@ namespace rift
                                     dealii::update_JxW_values);
     dof_handler.distribute_dofs(fe);
 
-    const auto cells = sorted_cells(dof_handler);
+    const auto     cells = sorted_cells(dof_handler);
     Discretization result{make_topology(cells, triangulation), {}, {}};
     Topology      &topology = result.topology;
 

@@ -22,8 +22,8 @@ namespace rift
       for (FaceIndex face = 0; face < topology.faces.size(); ++face)
         if (topology.face_states[face] != FaceState::broken)
           {
-            const CellIndex a = find_root(topology.faces[face].cells[0]);
-            const CellIndex b = find_root(topology.faces[face].cells[1]);
+            const CellIndex a    = find_root(topology.faces[face].cells[0]);
+            const CellIndex b    = find_root(topology.faces[face].cells[1]);
             root[std::max(a, b)] = std::min(a, b);
           }
       for (CellIndex &cell : root)

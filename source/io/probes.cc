@@ -63,8 +63,7 @@ namespace rift
           continue;
         const ReferenceBatch &batch = reference[cell / batch_size];
         const Vector3<double> from_corner =
-          parameters.point -
-          state.reference[topology.node(cell, 0)].vector();
+          parameters.point - state.reference[topology.node(cell, 0)].vector();
         std::array<double, n_corners> shape = {{1, 0, 0, 0}};
         for (unsigned int c = 1; c < n_corners; ++c)
           {
@@ -81,8 +80,8 @@ namespace rift
     if (found.cell == invalid_index)
       throw InputError("the point (" + to_text(parameters.point[0]) + ", " +
                        to_text(parameters.point[1]) + ", " +
-                       to_text(parameters.point[2]) + ") m of subsection \"Probe " +
-                       parameters.name +
+                       to_text(parameters.point[2]) +
+                       ") m of subsection \"Probe " + parameters.name +
                        "\" lies in no cell of the mesh. Move it into the body; "
                        "coordinates are in metres.");
     samples.push_back(found);

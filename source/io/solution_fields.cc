@@ -84,8 +84,7 @@ namespace rift
           means.opening += weight * now.jump[0];
           means.slip += weight * std::hypot(now.jump[1], now.jump[2]);
           means.normal += weight * now.traction[0];
-          means.shear +=
-            weight * std::hypot(now.traction[1], now.traction[2]);
+          means.shear += weight * std::hypot(now.traction[1], now.traction[2]);
         }
       return means;
     }
@@ -95,7 +94,7 @@ namespace rift
   fracture_solution(const State &state, const CohesiveForce &cohesive_force)
   {
     Solution solution;
-    solution.nodes_per_cell = 3;
+    solution.nodes_per_cell              = 3;
     const std::vector<std::string> names = {"damage",
                                             "mode",
                                             "opening [m]",
@@ -119,18 +118,17 @@ namespace rift
               .5 * (state.position(batch.minus[c][i % batch_size]) +
                     state.position(batch.plus[c][i % batch_size])));
           }
-        const FaceMeans means = face_means(state, cohesive_force, i);
+        const FaceMeans means    = face_means(state, cohesive_force, i);
         const double    values[] = {means.damage,
-                                 means.mode(),
-                                 means.opening,
-                                 means.slip,
-                                 means.normal,
-                                 means.shear,
-                                 faces.infos[i].start_time,
-                                 faces.infos[i].failure_time};
+                                    means.mode(),
+                                    means.opening,
+                                    means.slip,
+                                    means.normal,
+                                    means.shear,
+                                    faces.infos[i].start_time,
+                                    faces.infos[i].failure_time};
         for (std::size_t k = 0; k < names.size(); ++k)
-          solution.cell_data[k].values.push_back(
-            static_cast<float>(values[k]));
+          solution.cell_data[k].values.push_back(static_cast<float>(values[k]));
       }
     return solution;
   }
@@ -143,7 +141,7 @@ namespace rift
     for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
       for (unsigned int c = 0; c < n_corners && !topology.is_padding(cell); ++c)
         {
-          const NodeIndex       node = topology.node(cell, c);
+          const NodeIndex       node    = topology.node(cell, c);
           const Vector3<double> data[2] = {state.displacement[node].vector(),
                                            state.velocity[node].vector()};
           XXH3_64bits_update(hash, data, sizeof(data));

@@ -2,7 +2,7 @@
 #define rift_base_floating_point_h
 
 #if defined(__SSE__)
-#  include <xmmintrin.h>
+#include <xmmintrin.h>
 #endif
 
 namespace rift

@@ -14,7 +14,8 @@ namespace rift
   public:
     StageTimer()
       : begin(Clock::now())
-    {}
+    {
+    }
 
     /** Counts the time since the last call, or since the start, to a stage. */
     void
