@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdlib>
 #include <sstream>
 
 namespace rift
@@ -208,6 +210,26 @@ namespace rift
     return result;
   }
 
+  namespace
+  {
+    /** The patterns accept numbers that have no place in a double. */
+    void
+    check_range(const ParameterEntry &entry)
+    {
+      for (const std::string &text :
+           dealii::Utilities::split_string_list(entry.value))
+        {
+          char *end = nullptr;
+          errno     = 0;
+          std::strtod(text.c_str(), &end);
+          if (errno == ERANGE && *end == '\0')
+            throw InputError(place_of(entry) +
+                             ": this number is too small or too large for any "
+                             "computation.");
+        }
+    }
+  } // namespace
+
   void
   apply(const ParameterFile            &file,
         const std::vector<std::string> &kinds,
@@ -236,6 +258,7 @@ namespace rift
         if (match == declared.end())
           throw InputError(place_of(entry) + ": " +
                            about_name(entry, kinds, declared));
+        check_range(entry);
         set(entry, *match, prm);
       }
   }
