@@ -1,8 +1,4 @@
 #include <rift/cohesive/cohesive_force.h>
-#include <rift/mesh/mesh_data.h>
-#include <rift/solid/cell_frequency.h>
-
-#include <algorithm>
 
 namespace rift
 {
