@@ -7,8 +7,6 @@
 #include <rift/mesh/mesh_checks.h>
 #include <rift/mesh/triangulation.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
 
 namespace rift
@@ -117,17 +115,17 @@ namespace rift
   } // namespace
 
   Body
-  make_body(const Parameters &parameters, Log &log)
+  make_body(const Parameters   &parameters,
+            const Communicator &communicator,
+            Log                &log)
   {
-    const unsigned int n_ranks =
-      dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
-    if (n_ranks > 1)
+    if (communicator.size() > 1)
       throw InputError("this version of rift computes on one rank, and was "
                        "started on " +
-                       std::to_string(n_ranks) +
+                       std::to_string(communicator.size()) +
                        ". Start it without mpirun, or with -np 1.");
     const MeshData mesh = make_mesh(parameters);
-    Body           body{{Topology({}, 0), {}, {}}, {}, {}, {}};
+    Body body{communicator, {Topology({}, 0), {}, {}}, {}, {}, {}};
     for (const std::string &name : mesh.material_names)
       for (const MaterialParameters &material : parameters.materials)
         if (material.name == name)
@@ -137,7 +135,7 @@ namespace rift
     for (const MaterialParameters &material : body.materials)
       densities.push_back(material.density);
     body.discretization =
-      discretize(*make_triangulation(mesh, MPI_COMM_WORLD), densities);
+      discretize(*make_triangulation(mesh, communicator.mpi()), densities);
     for (std::size_t i = 0; i < mesh.surface_names.size(); ++i)
       {
         const auto name    = static_cast<std::uint16_t>(i);

@@ -49,10 +49,12 @@ namespace rift
     }
   } // namespace
 
-  Simulation::Simulation(const Parameters &parameters, Log &log)
+  Simulation::Simulation(const Parameters   &parameters,
+                         Log                &log,
+                         const Communicator &communicator)
     : parameters(parameters)
     , log(log)
-    , body(make_body(parameters, log))
+    , body(make_body(parameters, communicator, log))
     , densities(densities_of(body.materials))
     , laws(laws_of(body.materials))
     , internal_force(body.discretization.topology,

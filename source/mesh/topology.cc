@@ -9,6 +9,9 @@ namespace rift
   Topology::Topology(const std::vector<LocalCell> &cells,
                      const std::size_t             n_vertices)
     : n_real_cells(cells.size())
+    , n_owned(std::count_if(cells.begin(),
+                            cells.end(),
+                            [](const LocalCell &c) { return c.is_owned; }))
   {
     node_vertices.resize(n_vertices);
     for (std::size_t i = 0; i < n_vertices; ++i)
@@ -22,6 +25,10 @@ namespace rift
   void
   Topology::make_batches(const std::vector<LocalCell> &cells)
   {
+    const auto fill_batch = [&] {
+      cell_global_indices.resize(batches.size() * batch_size, invalid_index);
+      cell_is_owned.resize(batches.size() * batch_size, 0);
+    };
     const auto new_range = [&](const std::uint16_t material) {
       const auto begin = static_cast<std::uint32_t>(batches.size());
       material_ranges.push_back({material, begin, begin});
@@ -34,8 +41,7 @@ namespace rift
           material_ranges.back().material != cell.material;
         if (new_material)
           {
-            cell_global_indices.resize(batches.size() * batch_size,
-                                       invalid_index);
+            fill_batch();
             new_range(cell.material);
           }
         const std::size_t lane = cell_global_indices.size() % batch_size;
@@ -48,8 +54,9 @@ namespace rift
         for (unsigned int c = 0; c < n_corners; ++c)
           batches.back().corner[c][lane] = cell.vertices[c];
         cell_global_indices.push_back(cell.global_index);
+        cell_is_owned.push_back(cell.is_owned);
       }
-    cell_global_indices.resize(batches.size() * batch_size, invalid_index);
+    fill_batch();
   }
 
   void
@@ -70,6 +77,11 @@ namespace rift
       if (!is_padding(cell))
         for (unsigned int c = 0; c < n_corners; ++c)
           vertex_cells[next[vertex(cell, c)]++] = cell;
+
+    vertex_is_complete.assign(n_vertices, 0);
+    for (CellIndex cell = 0; cell < n_cell_slots(); ++cell)
+      for (unsigned int c = 0; c < n_corners && owns_cell(cell); ++c)
+        vertex_is_complete[vertex(cell, c)] = 1;
   }
 
   void

@@ -2,6 +2,7 @@
 #define rift_app_body_h
 
 #include <rift/app/parameters.h>
+#include <rift/base/communicator.h>
 #include <rift/discretization/discretization.h>
 #include <rift/io/log.h>
 #include <rift/mesh/surface.h>
@@ -13,6 +14,9 @@ namespace rift
   /** The body of a scene, meshed and discretised, with its names. */
   struct Body
   {
+    /** The ranks over which the body is spread. */
+    Communicator communicator;
+
     Discretization discretization;
 
     /** By material index of the mesh. */
@@ -32,7 +36,9 @@ namespace rift
    * @throws InputError for a bad mesh and for names that do not match.
    */
   Body
-  make_body(const Parameters &parameters, Log &log);
+  make_body(const Parameters   &parameters,
+            const Communicator &communicator,
+            Log                &log);
 } // namespace rift
 
 #endif

@@ -29,16 +29,20 @@ namespace rift
      * Makes everything ready for the first step; writes no file.
      *
      * @param log must outlive this object.
+     * @param communicator of the ranks among which the body is divided.
      */
-    Simulation(const Parameters &parameters, Log &log);
+    Simulation(const Parameters   &parameters,
+               Log                &log,
+               const Communicator &communicator =
+                 Communicator(MPI_COMM_WORLD));
 
     /** Opens the output directory, computes all steps, writes the results. */
     void
     run();
 
     /**
-     * Writes results only within run(). Goes from t_n to t_(n+1); the last call stops before the kick, at the
-     * end time.
+     * Goes from t_n to t_(n+1); the last call stops before the kick, at the
+     * end time. Writes results only within run().
      */
     void
     step();

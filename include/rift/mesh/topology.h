@@ -13,6 +13,9 @@ namespace rift
     GlobalCellIndex                    global_index;
     std::array<VertexIndex, n_corners> vertices;
     std::uint16_t                      material;
+
+    /** Owned by this rank, or a ghost: an owned cell's neighbour. */
+    bool is_owned = true;
   };
 
   /** The node that each corner of the eight cells of a batch uses. */
@@ -57,6 +60,11 @@ namespace rift
    * Cells stand in ascending global index, in batches of eight; the last batch
    * of a material is filled up with cells of no volume, which have no global
    * index (`invalid_index`) and all corners at node 0.
+   *
+   * A rank sees the cells that it owns and, as ghosts, all others that share a
+   * vertex with one of them. Vertices of owned cells are *complete*: all cells
+   * around are here, so that forces, masses and splits at their nodes are
+   * known. What happens at the other vertices, GhostExchange tells.
    */
   class Topology
   {
@@ -81,11 +89,50 @@ namespace rift
       return cell_global_indices.size();
     }
 
-    /** Number of cells without the padding. */
+    /** Number of cells without the padding, ghosts included. */
     std::size_t
     n_cells() const
     {
       return n_real_cells;
+    }
+
+    /** Number of cells that this rank owns. */
+    std::size_t
+    n_owned_cells() const
+    {
+      return n_owned;
+    }
+
+    /** Whether this rank owns a cell; false for padding. */
+    bool
+    owns_cell(const CellIndex cell) const
+    {
+      return cell_is_owned[cell] != 0;
+    }
+
+    /** Whether all cells around a vertex are here. */
+    bool
+    is_complete(const VertexIndex vertex) const
+    {
+      return vertex_is_complete[vertex] != 0;
+    }
+
+    /**
+     * Whether this rank owns a node: the owner of the first cell around its
+     * vertex does. Each node has one owner.
+     */
+    bool
+    owns_node(const NodeIndex node) const
+    {
+      const VertexIndex vertex = node_vertices[node];
+      return is_complete(vertex) && owns_cell(*vertex_cells_first(vertex));
+    }
+
+    /** Whether this rank owns a face: the owner of its minus side does. */
+    bool
+    owns_face(const FaceIndex face) const
+    {
+      return owns_cell(faces[face].cells[0]);
     }
 
     std::size_t
@@ -186,7 +233,8 @@ namespace rift
     void
     make_faces();
 
-    std::size_t                n_real_cells;
+    std::size_t                n_real_cells, n_owned;
+    std::vector<std::uint8_t>  cell_is_owned, vertex_is_complete;
     std::vector<std::uint32_t> vertex_cells_begin;
     std::vector<CellIndex>     vertex_cells;
   };

@@ -1,0 +1,95 @@
+#ifndef rift_base_communicator_h
+#define rift_base_communicator_h
+
+#include <mpi.h>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace rift
+{
+  /**
+   * The ranks that compute a scene together. What is called *collective* must
+   * be called on all of them in the same order. A communicator of one rank
+   * never calls MPI, so that it works where MPI has not been started.
+   */
+  class Communicator
+  {
+  public:
+    /** This process alone. */
+    Communicator() = default;
+
+    /** @param communicator must outlive this object. */
+    explicit Communicator(MPI_Comm communicator);
+
+    int
+    rank() const
+    {
+      return own_rank;
+    }
+
+    int
+    size() const
+    {
+      return n_ranks;
+    }
+
+    /** Rank 0 reads the scene, speaks and writes the histories. */
+    bool
+    is_root() const
+    {
+      return own_rank == 0;
+    }
+
+    MPI_Comm
+    mpi() const
+    {
+      return communicator;
+    }
+
+    /** Replaces each number by its sum over the ranks. Collective. */
+    void
+    sum(std::vector<std::int64_t> &numbers) const;
+
+    std::int64_t
+    sum(std::int64_t number) const;
+
+    /** Largest of all ranks. Collective. */
+    double
+    max(double number) const;
+
+    bool
+    any(bool value) const;
+
+    /** The bytes of all ranks, on all ranks, by rank. Collective. */
+    std::vector<std::string>
+    all_gather(const std::string &bytes) const;
+
+    /** The bytes of all ranks on rank 0; empty elsewhere. Collective. */
+    std::vector<std::string>
+    gather(const std::string &bytes) const;
+
+    /** The bytes of rank 0 on all ranks. Collective. */
+    void
+    broadcast(std::string &bytes) const;
+
+    /**
+     * Calls `f` on each rank; where it throws an Error on any of them, all
+     * throw that of the lowest rank. Collective.
+     */
+    void
+    together(const std::function<void()> &f) const;
+
+    /** together(), but only rank 0 calls `f`. Collective. */
+    void
+    on_root(const std::function<void()> &f) const;
+
+  private:
+    MPI_Comm communicator = MPI_COMM_SELF;
+    int      own_rank = 0, n_ranks = 1;
+  };
+} // namespace rift
+
+#endif

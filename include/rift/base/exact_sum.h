@@ -1,0 +1,57 @@
+#ifndef rift_base_exact_sum_h
+#define rift_base_exact_sum_h
+
+#include <rift/base/communicator.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace rift
+{
+  /**
+   * A sum of doubles without rounding: the same whatever the order of its
+   * terms and however they are spread over ranks. Rounded once, when it is
+   * read. Costs a few nanoseconds per term and half a kilobyte.
+   *
+   * A fixed-point number that covers the whole range of a double, in digits
+   * of 32 bits with room for carries in 64.
+   */
+  class ExactSum
+  {
+  public:
+    /** Adds a term. A term that is not finite makes the sum not a number. */
+    void
+    add(double term);
+
+    void
+    add(const ExactSum &other);
+
+    /** The sum, rounded to the nearest double. */
+    double
+    value() const;
+
+    /** Replaces each sum by its total over all ranks. Collective. */
+    static void
+    sum_over_ranks(const std::vector<ExactSum *> &sums,
+                   const Communicator            &communicator);
+
+    static constexpr std::size_t n_digits = 68;
+
+    /** The digits and the number of terms that are not finite, for
+     * checkpoints. */
+    using Digits = std::array<std::int64_t, n_digits + 1>;
+
+    const Digits &
+    digits() const;
+
+    static ExactSum
+    from_digits(const Digits &digits);
+
+  private:
+    Digits        data{};
+    std::uint32_t n_terms = 0;
+  };
+} // namespace rift
+
+#endif

@@ -1,0 +1,193 @@
+#include <rift/base/communicator.h>
+#include <rift/base/exceptions.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace rift
+{
+  namespace
+  {
+    /** MPI counts bytes with an int: longer texts go in pieces of this. */
+    constexpr std::size_t largest_piece = std::numeric_limits<int>::max();
+
+    int
+    count_of(const std::string &bytes)
+    {
+      if (bytes.size() > largest_piece)
+        throw RunError("a rank has " + std::to_string(bytes.size()) +
+                       " bytes to send at once; MPI takes " +
+                       std::to_string(largest_piece) +
+                       ". Start rift on more ranks.");
+      return static_cast<int>(bytes.size());
+    }
+
+    /** Texts of all ranks that have come one after the other. */
+    std::vector<std::string>
+    cut(const std::string &all, const std::vector<int> &counts)
+    {
+      std::vector<std::string> result;
+      std::size_t              begin = 0;
+      for (const int count : counts)
+        {
+          result.push_back(all.substr(begin, count));
+          begin += count;
+        }
+      return result;
+    }
+
+    std::vector<int>
+    begins_of(const std::vector<int> &counts)
+    {
+      std::vector<int> begins;
+      std::size_t      begin = 0;
+      for (const int count : counts)
+        {
+          begins.push_back(static_cast<int>(begin));
+          begin += count;
+        }
+      if (begin > largest_piece)
+        throw RunError("the ranks have " + std::to_string(begin) +
+                       " bytes to gather at once; MPI takes " +
+                       std::to_string(largest_piece) +
+                       ". The mesh is too large.");
+      return begins;
+    }
+  } // namespace
+
+  Communicator::Communicator(const MPI_Comm communicator)
+    : communicator(communicator)
+  {
+    MPI_Comm_rank(communicator, &own_rank);
+    MPI_Comm_size(communicator, &n_ranks);
+  }
+
+  void
+  Communicator::sum(std::vector<std::int64_t> &numbers) const
+  {
+    if (n_ranks > 1)
+      MPI_Allreduce(MPI_IN_PLACE,
+                    numbers.data(),
+                    static_cast<int>(numbers.size()),
+                    MPI_INT64_T,
+                    MPI_SUM,
+                    communicator);
+  }
+
+  std::int64_t
+  Communicator::sum(const std::int64_t number) const
+  {
+    std::vector<std::int64_t> numbers = {number};
+    sum(numbers);
+    return numbers[0];
+  }
+
+  double
+  Communicator::max(double number) const
+  {
+    if (n_ranks > 1)
+      MPI_Allreduce(
+        MPI_IN_PLACE, &number, 1, MPI_DOUBLE, MPI_MAX, communicator);
+    return number;
+  }
+
+  bool
+  Communicator::any(const bool value) const
+  {
+    return sum(value ? 1 : 0) > 0;
+  }
+
+  std::vector<std::string>
+  Communicator::all_gather(const std::string &bytes) const
+  {
+    if (n_ranks == 1)
+      return {bytes};
+    const int        count = count_of(bytes);
+    std::vector<int> counts(n_ranks);
+    MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, communicator);
+    const std::vector<int> begins = begins_of(counts);
+    std::string all(static_cast<std::size_t>(begins.back()) + counts.back(),
+                    '\0');
+    MPI_Allgatherv(bytes.data(),
+                   count,
+                   MPI_BYTE,
+                   all.data(),
+                   counts.data(),
+                   begins.data(),
+                   MPI_BYTE,
+                   communicator);
+    return cut(all, counts);
+  }
+
+  std::vector<std::string>
+  Communicator::gather(const std::string &bytes) const
+  {
+    if (n_ranks == 1)
+      return {bytes};
+    const int        count = count_of(bytes);
+    std::vector<int> counts(n_ranks), begins;
+    MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, communicator);
+    begins = begins_of(counts);
+    std::string all;
+    if (is_root())
+      all.resize(static_cast<std::size_t>(begins.back()) + counts.back());
+    MPI_Gatherv(bytes.data(),
+                count,
+                MPI_BYTE,
+                all.data(),
+                counts.data(),
+                begins.data(),
+                MPI_BYTE,
+                0,
+                communicator);
+    return is_root() ? cut(all, counts) : std::vector<std::string>();
+  }
+
+  void
+  Communicator::broadcast(std::string &bytes) const
+  {
+    if (n_ranks == 1)
+      return;
+    std::uint64_t size = bytes.size();
+    MPI_Bcast(&size, 1, MPI_UINT64_T, 0, communicator);
+    bytes.resize(size);
+    for (std::size_t begin = 0; begin < size; begin += largest_piece)
+      MPI_Bcast(bytes.data() + begin,
+                static_cast<int>(std::min(largest_piece, size - begin)),
+                MPI_BYTE,
+                0,
+                communicator);
+  }
+
+  void
+  Communicator::together(const std::function<void()> &f) const
+  {
+    // The exit code and the message; empty where all went well.
+    std::string failure;
+    try
+      {
+        f();
+      }
+    catch (const Error &error)
+      {
+        if (n_ranks == 1)
+          throw;
+        failure = static_cast<char>('0' + static_cast<int>(error.exit_code)) +
+                  std::string(error.what());
+      }
+    if (n_ranks == 1 || !any(!failure.empty()))
+      return;
+    for (const std::string &one : all_gather(failure))
+      if (!one.empty())
+        throw Error(static_cast<ExitCode>(one[0] - '0'), one.substr(1));
+  }
+
+  void
+  Communicator::on_root(const std::function<void()> &f) const
+  {
+    together([&] {
+      if (is_root())
+        f();
+    });
+  }
+} // namespace rift
