@@ -125,7 +125,7 @@ namespace rift
                        std::to_string(communicator.size()) +
                        ". Start it without mpirun, or with -np 1.");
     const MeshData mesh = make_mesh(parameters);
-    Body body{communicator, {Topology({}, 0), {}, {}}, {}, {}, {}};
+    Body           body{communicator, {Topology({}, 0), {}, {}}, {}, {}, {}};
     for (const std::string &name : mesh.material_names)
       for (const MaterialParameters &material : parameters.materials)
         if (material.name == name)

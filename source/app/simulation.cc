@@ -239,10 +239,11 @@ namespace rift
       damping->add_to(state, activity);
     timer.stop("loads and damping");
 
-    // 5. Faces that begin to open take over the forces that held them
+    // 5. Nodes that have parted in this step stay together until its end
+    std::vector<OpeningCorner> openings;
     if (fracture)
       {
-        fracture->force.start_openings(
+        openings = fracture->force.hold_partings(
           state,
           [this](const NodeIndex node, const unsigned int component) {
             return prescribed_motion ?
@@ -268,9 +269,17 @@ namespace rift
     timer.stop("ledger and output");
 
     // 8. Kick and drift to t_(n+1)
-    if (state.step < last_step)
-      advance(state, activity, dt);
+    if (state.step == last_step)
+      return;
+    advance(state, activity, dt);
     timer.stop("kick and drift");
+
+    // 9. Faces that begin to open take over the forces that held the nodes
+    if (fracture)
+      {
+        fracture->force.start_openings(state, std::move(openings));
+        timer.stop("cohesive forces");
+      }
   }
 
   void
@@ -289,7 +298,7 @@ namespace rift
       for (const NodeIndex part : split.parts)
         state.mass[part] = lumped_mass(topology, reference, densities, part);
     activity.grow(topology.n_nodes());
-    fracture->force.apply(change, state);
+    fracture->force.apply(change);
     for (SurfaceLoad &load : surface_loads)
       load.update_nodes();
     if (prescribed_motion)

@@ -86,8 +86,12 @@ namespace rift
   Communicator::max(double number) const
   {
     if (n_ranks > 1)
-      MPI_Allreduce(
-        MPI_IN_PLACE, &number, 1, MPI_DOUBLE, MPI_MAX, communicator);
+      MPI_Allreduce(MPI_IN_PLACE,
+                    &number,
+                    1,
+                    MPI_DOUBLE,
+                    MPI_MAX,
+                    communicator);
     return number;
   }
 

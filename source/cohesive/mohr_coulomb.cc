@@ -99,7 +99,11 @@ namespace rift
     point.normal_excess = std::max(0., t[0] - tensile_strength);
     point.shear_excess = std::max(0., shear - point.softening * point.cohesion);
     point.traction     = t;
-    point.offset       = jump - (1 / stiffness) * t;
+    // A failed point that is open keeps its place of closing as offset, which
+    // is none of its elastic branch.
+    if (point.softening <= 0 && before[0] == 0)
+      point.offset[0] = jump[0];
+    point.offset -= (1 / stiffness) * more;
     set_separations(point, t, strength, stiffness);
     return .5 * (dot(t, t) - dot(before, before)) / stiffness;
   }

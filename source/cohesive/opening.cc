@@ -42,57 +42,66 @@ namespace rift
   }
 
   void
-  CohesiveForce::apply(const TopologyChange &change, const State &state)
+  CohesiveForce::apply(const TopologyChange &change)
   {
-    const auto vertex_of = [&](const NodeSplit &split) {
-      return topology.node_vertices[split.parts[0]];
-    };
-
-    std::vector<FaceIndex> newly_open;
-    for (const NodeSplit &split : change.splits)
-      for_each_cut_face(vertex_of(split),
-                        [&](const FaceIndex face,
-                            const unsigned int,
-                            const NodeIndex minus,
-                            const NodeIndex plus) {
-                          if (minus != plus &&
-                              index_of_face[face] == invalid_index)
-                            newly_open.push_back(face);
-                        });
-    std::sort(newly_open.begin(), newly_open.end());
-    newly_open.erase(std::unique(newly_open.begin(), newly_open.end()),
-                     newly_open.end());
-    for (const FaceIndex face : newly_open)
-      activate(face, state);
-
+    std::vector<VertexIndex> vertices;
     for (const NodeSplit &split : change.splits)
       {
+        vertices.push_back(topology.node_vertices[split.parts[0]]);
         Parting parting;
-        parting.nodes      = split.parts;
-        const auto is_part = [&split](const NodeIndex node) {
-          return std::find(split.parts.begin(), split.parts.end(), node) !=
-                 split.parts.end();
+        parting.nodes       = split.parts;
+        const auto position = [&split](const NodeIndex node) {
+          return static_cast<std::size_t>(
+            std::find(split.parts.begin(), split.parts.end(), node) -
+            split.parts.begin());
         };
         for_each_cut_face(
-          vertex_of(split),
+          vertices.back(),
           [&](const FaceIndex    face,
               const unsigned int corner,
               const NodeIndex    minus,
               const NodeIndex    plus) {
-            // Another node at the same vertex may have split as well.
-            const std::uint32_t index = index_of_face[face];
-            if (index == invalid_index || !(is_part(minus) || is_part(plus)))
-              return;
-            CohesiveBatch &batch = cohesive_faces.batches[index / batch_size];
-            const unsigned int lane      = index % batch_size;
-            NodeIndex         &old_minus = batch.minus[corner][lane];
-            NodeIndex         &old_plus  = batch.plus[corner][lane];
-            if (minus != plus && old_minus == old_plus)
-              parting.openings.push_back({index, corner});
-            old_minus = minus;
-            old_plus  = plus;
+            // Another node at the same vertex may have split
+            // as well.
+            const std::size_t m = position(minus);
+            const std::size_t p = position(plus);
+            if (m != p && m < split.parts.size() && p < split.parts.size())
+              parting.openings.push_back(
+                {face, static_cast<std::uint8_t>(corner), m, p});
           });
         partings.push_back(std::move(parting));
+      }
+    update_nodes(vertices);
+  }
+
+  void
+  CohesiveForce::update_nodes(const std::vector<VertexIndex> &vertices)
+  {
+    for (const VertexIndex vertex : vertices)
+      for_each_cut_face(vertex,
+                        [this](const FaceIndex face,
+                               const unsigned int,
+                               const NodeIndex,
+                               const NodeIndex) {
+                          if (index_of_face[face] != invalid_index)
+                            update_face(face);
+                        });
+  }
+
+  void
+  CohesiveForce::update_face(const FaceIndex index)
+  {
+    const std::uint32_t i     = index_of_face[index];
+    CohesiveBatch      &batch = cohesive_faces.batches[i / batch_size];
+    const Face         &face  = topology.faces[index];
+    for (unsigned int c = 0; c < 3; ++c)
+      {
+        const unsigned int corner      = face_corners[face.local_faces[0]][c];
+        const VertexIndex  vertex      = topology.vertex(face.cells[0], corner);
+        batch.minus[c][i % batch_size] = topology.node(face.cells[0], corner);
+        batch.plus[c][i % batch_size] =
+          topology.node(face.cells[1],
+                        topology.corner_at_vertex(face.cells[1], vertex));
       }
   }
 
@@ -113,24 +122,13 @@ namespace rift
     index_of_face[index] = static_cast<std::uint32_t>(cohesive_faces.size());
     cohesive_faces.infos.push_back({index, state.time, -1});
 
-    CohesiveBatch           &batch = cohesive_faces.batches.back();
-    const Face              &face  = topology.faces[index];
-    std::array<NodeIndex, 3> nodes;
-    for (unsigned int c = 0; c < 3; ++c)
-      {
-        nodes[c] =
-          topology.node(face.cells[0], face_corners[face.local_faces[0]][c]);
-        batch.minus[c][lane] = batch.plus[c][lane] = nodes[c];
-      }
-    std::array<Vector3<double>, 2> edges;
+    CohesiveBatch &batch = cohesive_faces.batches.back();
+    update_face(index);
     for (unsigned int e = 0; e < 2; ++e)
-      {
-        edges[e] = state.reference[nodes[e + 1]].vector() -
-                   state.reference[nodes[0]].vector();
-        for (unsigned int d = 0; d < dim; ++d)
-          batch.edges[e][d][lane] = edges[e][d];
-      }
-    const double             area      = .5 * norm(cross(edges[0], edges[1]));
+      for (unsigned int d = 0; d < dim; ++d)
+        batch.edges[e][d][lane] = state.reference[batch.minus[e + 1][lane]][d] -
+                                  state.reference[batch.minus[0][lane]][d];
+    const double             area      = reference_area(index);
     const double             slope     = elastic_slope(index, area);
     const FaceStrength       strength  = strengths.strength(index);
     CohesiveConstants<Simd> &constants = batch.constants;
@@ -168,30 +166,49 @@ namespace rift
     return 1.5 * smallest / area;
   }
 
-  void
-  CohesiveForce::start_openings(State                        &state,
-                                const PrescribedAcceleration &prescribed)
+  double
+  CohesiveForce::reference_area(const FaceIndex index) const
   {
-    if (partings.empty())
-      return;
-    std::vector<CornerForce> shares;
-    for (const Parting &parting : partings)
-      share_bond_forces(state, parting, prescribed, shares);
-    partings.clear();
+    const Face &face = topology.faces[index];
+    return norm(
+      reference_area_vector(reference, face.cells[0], face.local_faces[0]));
+  }
 
-    // An order that does not depend on how nodes are numbered here.
-    std::sort(shares.begin(),
-              shares.end(),
-              [](const CornerForce &a, const CornerForce &b) {
-                return std::make_pair(a.opening.index, a.opening.corner) <
-                       std::make_pair(b.opening.index, b.opening.corner);
+  std::vector<OpeningCorner>
+  CohesiveForce::hold_partings(State                        &state,
+                               const PrescribedAcceleration &prescribed)
+  {
+    std::vector<OpeningCorner> shares;
+    for (const Parting &parting : partings)
+      {
+        auto bond = bond_forces(state, parting, prescribed);
+        for (std::size_t i = 0; i < bond.size(); ++i)
+          for (unsigned int d = 0; d < dim; ++d)
+            state.force[parting.nodes[i]][d] += bond[i][d];
+        share_bond_forces(parting, std::move(bond), shares);
+      }
+    partings.clear();
+    return shares;
+  }
+
+  void
+  CohesiveForce::start_openings(const State               &state,
+                                std::vector<OpeningCorner> corners)
+  {
+    // An order that does not depend on where they come from.
+    std::sort(corners.begin(),
+              corners.end(),
+              [](const OpeningCorner &a, const OpeningCorner &b) {
+                return std::make_pair(a.face, a.corner) <
+                       std::make_pair(b.face, b.corner);
               });
-    for (auto first = shares.begin(); first != shares.end();)
+    for (auto first = corners.begin(); first != corners.end();)
       {
         auto last = first;
-        while (last != shares.end() &&
-               last->opening.index == first->opening.index)
+        while (last != corners.end() && last->face == first->face)
           ++last;
+        if (index_of_face[first->face] == invalid_index)
+          activate(first->face, state);
         hold(state, &*first, &*first + (last - first));
         first = last;
       }
@@ -241,40 +258,23 @@ namespace rift
   }
 
   void
-  CohesiveForce::share_bond_forces(const State                  &state,
-                                   const Parting                &parting,
-                                   const PrescribedAcceleration &prescribed,
-                                   std::vector<CornerForce>     &shares) const
+  CohesiveForce::share_bond_forces(const Parting               &parting,
+                                   std::vector<Vector3<double>> lambda,
+                                   std::vector<OpeningCorner>  &shares) const
   {
     // Forces of the faces F = area (lambda_minus - lambda_plus), with lambda
     // one vector per node, are the smallest (in the mean over the area) that
     // balance the bond forces. For two nodes that is a share by area.
     const std::size_t   n = parting.nodes.size();
     std::vector<double> matrix(n * n, 0.);
-    auto                lambda   = bond_forces(state, parting, prescribed);
-    const auto          position = [&](const NodeIndex node) {
-      return std::find(parting.nodes.begin(), parting.nodes.end(), node) -
-             parting.nodes.begin();
-    };
-    const auto ends = [&](const Opening &opening) {
-      const CohesiveBatch &batch =
-        cohesive_faces.batches[opening.index / batch_size];
-      const unsigned int lane = opening.index % batch_size;
-      return std::array<std::size_t, 2>{
-        {static_cast<std::size_t>(position(batch.minus[opening.corner][lane])),
-         static_cast<std::size_t>(position(batch.plus[opening.corner][lane]))}};
-    };
-    const auto area = [&](const Opening &opening) {
-      return cohesive_faces.batches[opening.index / batch_size]
-        .area[opening.index % batch_size];
-    };
     for (const Opening &opening : parting.openings)
       {
-        const auto [minus, plus] = ends(opening);
-        matrix[minus * n + minus] += area(opening);
-        matrix[plus * n + plus] += area(opening);
-        matrix[minus * n + plus] -= area(opening);
-        matrix[plus * n + minus] -= area(opening);
+        const auto [face, corner, minus, plus] = opening;
+        const double area                      = reference_area(face);
+        matrix[minus * n + minus] += area;
+        matrix[plus * n + plus] += area;
+        matrix[minus * n + plus] -= area;
+        matrix[plus * n + minus] -= area;
       }
 
     // Only differences of lambda count: that of node 0 is zero. The rest is a
@@ -296,23 +296,21 @@ namespace rift
     lambda[0] = {{0, 0, 0}};
 
     for (const Opening &opening : parting.openings)
-      {
-        const auto [minus, plus] = ends(opening);
-        shares.push_back(
-          {opening, area(opening) * (lambda[minus] - lambda[plus])});
-      }
+      shares.push_back({opening.face,
+                        opening.corner,
+                        reference_area(opening.face) *
+                          (lambda[opening.minus] - lambda[opening.plus])});
   }
 
   void
-  CohesiveForce::hold(State             &state,
-                      const CornerForce *first,
-                      const CornerForce *last)
+  CohesiveForce::hold(const State         &state,
+                      const OpeningCorner *first,
+                      const OpeningCorner *last)
   {
-    const std::uint32_t  index = first->opening.index;
+    const std::uint32_t  index = index_of_face[first->face];
     CohesiveBatch       &batch = cohesive_faces.batches[index / batch_size];
     const unsigned int   lane  = index % batch_size;
     const FaceKinematics kinematics(batch, state);
-    const FaceForces     before = face_forces(batch, kinematics, quadrature);
 
     // In the frame of the face. Corners that are still bonded are given the
     // mean of the others: their own share will be a correction of that.
@@ -322,9 +320,9 @@ namespace rift
       {
         for (unsigned int i = 0; i < dim; ++i)
           for (unsigned int d = 0; d < dim; ++d)
-            forces[share->opening.corner][i] +=
+            forces[share->corner][i] +=
               kinematics.frame[i][d][lane] * share->force[d];
-        mean += (1. / (last - first)) * forces[share->opening.corner];
+        mean += (1. / (last - first)) * forces[share->corner];
       }
     for (unsigned int c = 0; c < 3; ++c)
       if (batch.minus[c][lane] == batch.plus[c][lane])
@@ -351,15 +349,5 @@ namespace rift
           weight * hold_traction(point, jump, more, strength, slope);
         set_point(batch, q, lane, point);
       }
-
-    const FaceForces after = face_forces(batch, kinematics, quadrature);
-    for (unsigned int c = 0; c < 3; ++c)
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          state.force[batch.minus[c][lane]][d] +=
-            after.minus[c][d][lane] - before.minus[c][d][lane];
-          state.force[batch.plus[c][lane]][d] +=
-            after.plus[c][d][lane] - before.plus[c][d][lane];
-        }
   }
 } // namespace rift

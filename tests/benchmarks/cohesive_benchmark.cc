@@ -30,7 +30,8 @@ namespace rift::test
           faces[face] = face;
         const TopologyChange change = split_nodes(body.topology, faces);
         body.state.grow(change);
-        force.apply(change, body.state);
+        force.apply(change);
+        force.start_openings(body.state, force.hold_partings(body.state, {}));
       }
 
       /** Every cell moves away from its neighbours: by `share` of its place

@@ -113,7 +113,7 @@ namespace rift::test
                                          densities_of(materials),
                                          part);
       activity.grow(topology.n_nodes());
-      force.apply(change, state);
+      force.apply(change);
       return change;
     }
 
@@ -124,8 +124,24 @@ namespace rift::test
       state.force.assign(state.n_nodes(), NodalVector());
       const bool failed = internal_force.add_to(state, activity).has_value();
       force.add_to(state);
-      force.start_openings(state, {});
+      openings = force.hold_partings(state, {});
       return !failed;
+    }
+
+    /** Has the faces take over what sum_forces() has held together. */
+    void
+    start_openings()
+    {
+      force.start_openings(state, std::move(openings));
+      openings.clear();
+    }
+
+    /** Goes to t_(n+1) after sum_forces(). */
+    void
+    move(const double time_step)
+    {
+      advance(state, activity, time_step);
+      start_openings();
     }
 
     Energies
@@ -179,6 +195,7 @@ namespace rift::test
     CriticalTimeStep                critical;
     Insertion                       insertion;
     CohesiveForce                   force;
+    std::vector<OpeningCorner>      openings;
   };
 } // namespace rift::test
 

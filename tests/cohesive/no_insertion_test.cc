@@ -45,7 +45,6 @@ namespace
         if (may_break)
           {
             body.force.add_to(body.state);
-            body.force.start_openings(body.state, {});
           }
         advance(body.state, body.activity, .7 * body.critical.time_step);
       }

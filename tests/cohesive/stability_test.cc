@@ -135,6 +135,7 @@ namespace
     // Cells are loose from the start, with nothing between them yet.
     body.split(body.all_faces());
     body.sum_forces();
+    body.start_openings();
 
     const CellIndex        loose = most_surrounded_cell(body.topology);
     std::vector<Wandering> motions;
@@ -188,7 +189,7 @@ namespace
         const double opening = body.force.point_state(state, 0, 0).jump[0];
         outcome.n_reversals += opening * last_opening < 0;
         last_opening = opening;
-        advance(state, body.activity, dt);
+        body.move(dt);
       }
     for (const CohesiveBatch &batch : body.force.faces().batches)
       for (unsigned int lane = 0; lane < batch.n_faces; ++lane)

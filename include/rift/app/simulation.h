@@ -33,8 +33,7 @@ namespace rift
      */
     Simulation(const Parameters   &parameters,
                Log                &log,
-               const Communicator &communicator =
-                 Communicator(MPI_COMM_WORLD));
+               const Communicator &communicator = Communicator(MPI_COMM_WORLD));
 
     /** Opens the output directory, computes all steps, writes the results. */
     void

@@ -18,6 +18,18 @@ namespace rift
   using PrescribedAcceleration =
     std::function<std::optional<double>(NodeIndex, unsigned int)>;
 
+  /** A corner of a face at which its two sides have just parted. */
+  struct OpeningCorner
+  {
+    FaceIndex face;
+
+    /** 0, 1, 2 as seen from the minus side; see face_corners. */
+    std::uint8_t corner;
+
+    /** What the bond of the nodes did to the minus side until now, N. */
+    Vector3<double> force;
+  };
+
   /** Energies of all cohesive elements, J. */
   struct CohesiveEnergy
   {
@@ -56,29 +68,43 @@ namespace rift
 
     /**
      * Takes in what a split has changed: the nodes of the faces around the
-     * split nodes, and the corners that have parted, which start_openings()
-     * will give their traction.
+     * split nodes, and the nodes that have parted, which hold_partings() will
+     * keep together for this step.
      */
     void
-    apply(const TopologyChange &change, const State &state);
+    apply(const TopologyChange &change);
+
+    /** Takes in which nodes the faces around these vertices have now. */
+    void
+    update_nodes(const std::vector<VertexIndex> &vertices);
 
     /** Adds the forces of all open faces, after updating their memory. */
     void
     add_to(State &state);
 
     /**
-     * Passes to the faces between nodes that have parted in this step the
-     * force that has held them together, m_A a - f_A with the common
-     * acceleration a, shared over the faces by area; to be called when all
-     * other forces have been summed. Accelerations then do not jump
-     * (doc/theory.md, section 5).
+     * Holds nodes that have parted in this step together for the rest of it:
+     * adds to each the bond force m_A a - f_A with the common acceleration a.
+     * To be called when all other forces have been summed.
      *
      * @param prescribed where the motion of nodes is prescribed, the
      *   acceleration of a component of one: that is then the common one, and
      *   the grip takes what is left of the balance.
+     * @return the bond forces, shared over the faces between the nodes by
+     *   area: what start_openings() needs at the end of the step.
+     */
+    std::vector<OpeningCorner>
+    hold_partings(State &state, const PrescribedAcceleration &prescribed);
+
+    /**
+     * Passes the bond forces to the faces: from the next add_to() on, these
+     * hold the sides together. Accelerations then do not jump (doc/theory.md,
+     * section 5). To be called once after the drift.
+     *
+     * @param corners of the faces that this rank needs, in any order.
      */
     void
-    start_openings(State &state, const PrescribedAcceleration &prescribed);
+    start_openings(const State &state, std::vector<OpeningCorner> corners);
 
     /** Energies at the last add_to(). */
     CohesiveEnergy
@@ -119,11 +145,12 @@ namespace rift
                 unsigned int point) const;
 
   private:
-    /** A corner of a face that has just parted. */
+    /** An opening corner and its two nodes among those of its parting. */
     struct Opening
     {
-      std::uint32_t index;
-      unsigned int  corner;
+      FaceIndex    face;
+      std::uint8_t corner;
+      std::size_t  minus, plus;
     };
 
     /** Nodes that were one until this step, and what has opened between. */
@@ -131,13 +158,6 @@ namespace rift
     {
       std::vector<NodeIndex> nodes;
       std::vector<Opening>   openings;
-    };
-
-    /** A force that a corner of a face takes over, N, on its minus side. */
-    struct CornerForce
-    {
-      Opening         opening;
-      Vector3<double> force;
     };
 
     /** Calls f(face, corner of the face, its minus and its plus node) for all
@@ -155,10 +175,9 @@ namespace rift
 
     /** Divides the bond forces of the nodes among the faces that open. */
     void
-    share_bond_forces(const State                  &state,
-                      const Parting                &parting,
-                      const PrescribedAcceleration &prescribed,
-                      std::vector<CornerForce>     &shares) const;
+    share_bond_forces(const Parting               &parting,
+                      std::vector<Vector3<double>> bond,
+                      std::vector<OpeningCorner>  &shares) const;
 
     /** m_A a - f_A of each of the nodes that have parted, N. */
     static std::vector<Vector3<double>>
@@ -168,7 +187,16 @@ namespace rift
 
     /** Gives the points of one face the traction that makes these forces. */
     void
-    hold(State &state, const CornerForce *first, const CornerForce *last);
+    hold(const State         &state,
+         const OpeningCorner *first,
+         const OpeningCorner *last);
+
+    double
+    reference_area(FaceIndex face) const;
+
+    /** Reads the nodes of an open face from the topology. */
+    void
+    update_face(FaceIndex face);
 
     static void
     scatter(const CohesiveBatch &batch, const FaceForces &forces, State &state);

@@ -166,12 +166,13 @@ namespace rift
   make_cohesive_point(const FaceStrength &strength, double stiffness);
 
   /**
-   * Gives a point, at the jump to which it was last updated, more traction:
-   * the force that held two nodes together until now passes to the face, so
-   * that the start is continuous in time (doc/theory.md, section 5). What is
-   * above the strength becomes excess. Separations are adapted so that the
-   * energy drawn from the body remains the fracture energy.
+   * Gives a point more traction than it had at its last update: the force that
+   * held two nodes together until now passes to the face, so that the start is
+   * continuous in time (doc/theory.md, section 5). What is above the strength
+   * becomes excess. Separations are adapted so that the energy drawn from the
+   * body remains the fracture energy.
    *
+   * @param jump now, m; the body may have moved since the last update.
    * @return energy per area in the elastic branch that comes with the
    *   traction, J/m^2.
    */
