@@ -7,11 +7,14 @@
 namespace rift
 {
   Topology::Topology(const std::vector<LocalCell> &cells,
-                     const std::size_t             n_vertices)
-    : n_real_cells(cells.size())
-    , n_owned(std::count_if(cells.begin(),
-                            cells.end(),
-                            [](const LocalCell &c) { return c.is_owned; }))
+                     const std::size_t             n_vertices,
+                     const int                     own_rank)
+    : own_rank(own_rank)
+    , n_real_cells(cells.size())
+    , n_owned(std::count_if(
+        cells.begin(),
+        cells.end(),
+        [own_rank](const LocalCell &c) { return c.owner == own_rank; }))
   {
     node_vertices.resize(n_vertices);
     for (std::size_t i = 0; i < n_vertices; ++i)
@@ -27,7 +30,7 @@ namespace rift
   {
     const auto fill_batch = [&] {
       cell_global_indices.resize(batches.size() * batch_size, invalid_index);
-      cell_is_owned.resize(batches.size() * batch_size, 0);
+      cell_owners.resize(batches.size() * batch_size, -1);
     };
     const auto new_range = [&](const std::uint16_t material) {
       const auto begin = static_cast<std::uint32_t>(batches.size());
@@ -54,7 +57,7 @@ namespace rift
         for (unsigned int c = 0; c < n_corners; ++c)
           batches.back().corner[c][lane] = cell.vertices[c];
         cell_global_indices.push_back(cell.global_index);
-        cell_is_owned.push_back(cell.is_owned);
+        cell_owners.push_back(cell.owner);
       }
     fill_batch();
   }

@@ -140,12 +140,18 @@ namespace rift::test
     body.vertices = vertices;
   }
 
-  /** Gradients, volumes and masses from closed formulas. */
+  /**
+   * Gradients, volumes and masses from closed formulas, of a body whose cells
+   * are in order() already.
+   */
   inline DiscreteBody
-  discretize(Body body, const std::vector<double> &densities)
+  discretize_ordered(const Body                &body,
+                     const std::vector<double> &densities,
+                     const int                  own_rank = 0)
   {
-    order(body);
-    DiscreteBody result{Topology(body.cells, body.vertices.size()), {}, {}};
+    DiscreteBody result{Topology(body.cells, body.vertices.size(), own_rank),
+                        {},
+                        {}};
     Topology    &topology = result.topology;
     result.reference.resize(topology.n_batches(), ReferenceBatch{});
     result.state.resize(topology.n_nodes());
@@ -177,6 +183,13 @@ namespace rift::test
           }
       }
     return result;
+  }
+
+  inline DiscreteBody
+  discretize(Body body, const std::vector<double> &densities)
+  {
+    order(body);
+    return discretize_ordered(body, densities);
   }
 } // namespace rift::test
 

@@ -14,8 +14,8 @@ namespace rift
     std::array<VertexIndex, n_corners> vertices;
     std::uint16_t                      material;
 
-    /** Owned by this rank, or a ghost: an owned cell's neighbour. */
-    bool is_owned = true;
+    /** Rank that owns the cell; on other ranks it is a ghost. */
+    int owner = 0;
   };
 
   /** The node that each corner of the eight cells of a batch uses. */
@@ -73,8 +73,11 @@ namespace rift
      * @param cells in ascending global index, all of a material together.
      * @param n_vertices size of the numbering that `cells` uses. Node i starts
      *   out at vertex i.
+     * @param own_rank of this process: it owns the cells with this owner.
      */
-    Topology(const std::vector<LocalCell> &cells, std::size_t n_vertices);
+    Topology(const std::vector<LocalCell> &cells,
+             std::size_t                   n_vertices,
+             int                           own_rank = 0);
 
     std::size_t
     n_batches() const
@@ -107,7 +110,7 @@ namespace rift
     bool
     owns_cell(const CellIndex cell) const
     {
-      return cell_is_owned[cell] != 0;
+      return cell_owners[cell] == own_rank;
     }
 
     /** Whether all cells around a vertex are here. */
@@ -206,6 +209,9 @@ namespace rift
     /** Global index of every cell slot. */
     std::vector<GlobalCellIndex> cell_global_indices;
 
+    /** Rank that owns each cell slot; -1 for padding. */
+    std::vector<int> cell_owners;
+
     /** The batches of each material that occurs here, in order. */
     std::vector<MaterialRange> material_ranges;
     std::vector<std::uint16_t> batch_materials;
@@ -233,8 +239,9 @@ namespace rift
     void
     make_faces();
 
+    int                        own_rank;
     std::size_t                n_real_cells, n_owned;
-    std::vector<std::uint8_t>  cell_is_owned, vertex_is_complete;
+    std::vector<std::uint8_t>  vertex_is_complete;
     std::vector<std::uint32_t> vertex_cells_begin;
     std::vector<CellIndex>     vertex_cells;
   };

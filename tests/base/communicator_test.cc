@@ -1,0 +1,73 @@
+#include <rift/base/communicator.h>
+#include <rift/base/exceptions.h>
+
+#include <gtest/gtest.h>
+
+using namespace rift;
+
+namespace
+{
+  /** What rank `rank` has to tell: texts of different lengths, one empty. */
+  std::string
+  text_of(const int rank)
+  {
+    return std::string(rank % 3, static_cast<char>('a' + rank));
+  }
+} // namespace
+
+TEST(Communicator, Numbers)
+{
+  const Communicator all(MPI_COMM_WORLD);
+  const int          n = all.size();
+  EXPECT_EQ(all.sum(all.rank() + 1), n * (n + 1) / 2);
+  EXPECT_EQ(all.max(-1. - all.rank()), -1);
+  EXPECT_TRUE(all.any(all.rank() == n - 1));
+  EXPECT_FALSE(all.any(false));
+  std::vector<std::int64_t> numbers = {1, std::int64_t(all.rank()) << 40};
+  all.sum(numbers);
+  EXPECT_EQ(numbers[0], n);
+  EXPECT_EQ(numbers[1], std::int64_t(n * (n - 1) / 2) << 40);
+}
+
+TEST(Communicator, Texts)
+{
+  const Communicator       all(MPI_COMM_WORLD);
+  std::vector<std::string> expected;
+  for (int rank = 0; rank < all.size(); ++rank)
+    expected.push_back(text_of(rank));
+  EXPECT_EQ(all.all_gather(text_of(all.rank())), expected);
+  EXPECT_EQ(all.gather(text_of(all.rank())),
+            all.is_root() ? expected : std::vector<std::string>());
+
+  std::string text = all.is_root() ? "from the root" : "other";
+  all.broadcast(text);
+  EXPECT_EQ(text, "from the root");
+}
+
+TEST(Communicator, AllThrowTheErrorOfTheLowestRank)
+{
+  const Communicator all(MPI_COMM_WORLD);
+  for (int failing = 0; failing < all.size(); ++failing)
+    try
+      {
+        all.together([&] {
+          if (all.rank() >= failing)
+            throw DiskError("rank " + std::to_string(all.rank()));
+        });
+        FAIL() << "nothing was thrown";
+      }
+    catch (const Error &error)
+      {
+        EXPECT_EQ(error.exit_code, ExitCode::disk_error);
+        EXPECT_EQ(error.what(), "rank " + std::to_string(failing));
+      }
+}
+
+TEST(Communicator, OnlyTheRootActs)
+{
+  const Communicator all(MPI_COMM_WORLD);
+  int                calls = 0;
+  all.on_root([&] { ++calls; });
+  EXPECT_EQ(calls, all.is_root() ? 1 : 0);
+  EXPECT_THROW(all.on_root([] { throw InputError("bad"); }), Error);
+}
