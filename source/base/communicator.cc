@@ -11,6 +11,9 @@ namespace rift
     /** MPI counts bytes with an int: longer texts go in pieces of this. */
     constexpr std::size_t largest_piece = std::numeric_limits<int>::max();
 
+    /** Of the messages of send(). */
+    constexpr int bytes_tag = 1;
+
     int
     count_of(const std::string &bytes)
     {
@@ -161,6 +164,43 @@ namespace rift
                 MPI_BYTE,
                 0,
                 communicator);
+  }
+
+  void
+  Communicator::send(const std::string &bytes, const int to) const
+  {
+    const std::uint64_t size = bytes.size();
+    MPI_Send(&size, 1, MPI_UINT64_T, to, bytes_tag, communicator);
+    for (std::size_t begin = 0; begin < size; begin += largest_piece)
+      MPI_Send(bytes.data() + begin,
+               static_cast<int>(std::min(largest_piece, size - begin)),
+               MPI_BYTE,
+               to,
+               bytes_tag,
+               communicator);
+  }
+
+  std::string
+  Communicator::receive(const int from) const
+  {
+    std::uint64_t size = 0;
+    MPI_Recv(&size,
+             1,
+             MPI_UINT64_T,
+             from,
+             bytes_tag,
+             communicator,
+             MPI_STATUS_IGNORE);
+    std::string bytes(size, '\0');
+    for (std::size_t begin = 0; begin < size; begin += largest_piece)
+      MPI_Recv(bytes.data() + begin,
+               static_cast<int>(std::min(largest_piece, size - begin)),
+               MPI_BYTE,
+               from,
+               bytes_tag,
+               communicator,
+               MPI_STATUS_IGNORE);
+    return bytes;
   }
 
   void

@@ -1,280 +1,165 @@
+#include <rift/base/exceptions.h>
 #include <rift/base/number_text.h>
 #include <rift/base/output_file.h>
 #include <rift/io/vtu_output.h>
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <cstdio>
-#include <stdexcept>
+#include <exception>
+#include <optional>
 
 namespace rift
 {
   namespace
   {
-    /** Bytes that are compressed at a time. */
-    constexpr std::size_t block_size = 1 << 18;
-
+    /** What stands in the file before the pieces. */
     std::string
-    quote(const std::string &text)
+    file_begin(const double time)
     {
-      std::string result = "\"";
-      for (const char c : text)
-        switch (c)
-          {
-          case '&':
-            result += "&amp;";
-            break;
-          case '<':
-            result += "&lt;";
-            break;
-          case '>':
-            result += "&gt;";
-            break;
-          case '"':
-            result += "&quot;";
-            break;
-          default:
-            result += c;
-          }
-      return result + '"';
+      return "<?xml version=\"1.0\"?>\n"
+             "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
+             "byte_order=\"LittleEndian\" header_type=\"UInt64\" "
+             "compressor=\"vtkZLibDataCompressor\">\n<UnstructuredGrid>\n"
+             "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" "
+             "NumberOfTuples=\"1\" format=\"ascii\">" +
+             to_text(time) + "</DataArray>\n</FieldData>\n";
     }
 
-    void
-    append_bytes(const void       *data,
-                 const std::size_t n_bytes,
-                 std::string      &destination)
+    /** Bytes of all that the ranks [first, last) have in `data`. */
+    std::size_t
+    sum_of_sizes(const std::vector<std::string> &sizes,
+                 const int                       first,
+                 const int                       last)
     {
-      destination.append(static_cast<const char *>(data), n_bytes);
+      std::size_t sum = 0;
+      for (int rank = first; rank < last; ++rank)
+        sum += std::stoull(sizes[rank]);
+      return sum;
     }
 
     /**
-     * Collects a file: the elements go to `xml`, the arrays that they describe
-     * to `data`, compressed.
+     * Writes the file of a group of ranks, of which this is the first one. All
+     * that the others send is received, even when the disk is full.
      */
-    struct FileContent
+    void
+    write_pieces(const std::string  &path,
+                 const double        time,
+                 const std::string  &own_xml,
+                 const std::string  &own_data,
+                 const Communicator &communicator,
+                 const int           end_of_group)
     {
-      std::string xml;
-      std::string data;
-
-      /** An array of `n` numbers of VTK's type `type`. */
-      template <typename Number>
-      void
-      add_array(const std::string &type,
-                const std::string &attributes,
-                const Number      *numbers,
-                const std::size_t  n)
-      {
-        xml += "<DataArray type=\"" + type + "\" " + attributes +
-               " format=\"appended\" offset=\"" + std::to_string(data.size()) +
-               "\"/>\n";
-        add_compressed(reinterpret_cast<const Bytef *>(numbers),
-                       n * sizeof(Number));
-      }
-
-    private:
-      /**
-       * Appends blocks in VTK's layout: the number of blocks, their size, the
-       * size of the last one (0 if it is full), the compressed size of each,
-       * then the blocks.
-       */
-      void
-      add_compressed(const Bytef *bytes, const std::size_t n_bytes)
-      {
-        const std::size_t n_blocks = (n_bytes + block_size - 1) / block_size;
-        std::vector<std::uint64_t> sizes = {n_blocks,
-                                            block_size,
-                                            n_bytes % block_size};
-        sizes.resize(3 + n_blocks);
-
-        const std::size_t header = data.size();
-        append_bytes(sizes.data(), 8 * sizes.size(), data);
-
-        std::vector<Bytef> compressed(compressBound(block_size));
-        for (std::size_t block = 0; block < n_blocks; ++block)
+      std::exception_ptr        failure;
+      std::optional<AtomicFile> file;
+      const auto                attempt = [&](const auto &action) {
+        try
           {
-            const std::size_t begin = block * block_size;
-            uLongf            size  = compressed.size();
-            if (compress2(compressed.data(),
-                          &size,
-                          bytes + begin,
-                          std::min(block_size, n_bytes - begin),
-                          Z_BEST_SPEED) != Z_OK)
-              throw std::bad_alloc(); // the only way in which it can fail
-            sizes[3 + block] = size;
-            append_bytes(compressed.data(), size, data);
+            if (!failure)
+              action();
           }
-        std::copy_n(reinterpret_cast<const char *>(sizes.data()),
-                    8 * sizes.size(),
-                    &data[header]);
-      }
-    };
+        catch (const DiskError &)
+          {
+            failure = std::current_exception();
+          }
+      };
+      const auto write = [&](const std::string &text) {
+        attempt([&] { file->write(text); });
+      };
+      const auto write_all = [&](const std::string &own) {
+        write(own);
+        for (int rank = communicator.rank() + 1; rank < end_of_group; ++rank)
+          write(communicator.receive(rank));
+      };
 
-    void
-    require(const bool condition, const std::string &message)
-    {
-      if (!condition)
-        throw std::logic_error("write_vtu: " + message);
-    }
-
-    void
-    check(const std::vector<OutputField> &fields, const std::size_t n_items)
-    {
-      for (const auto &field : fields)
-        {
-          require(field.n_components == 1 || field.n_components == 3 ||
-                    field.n_components == 6,
-                  "field " + field.name + " has " +
-                    std::to_string(field.n_components) +
-                    " components instead of 1, 3 or 6");
-          require(field.values.size() == field.n_components * n_items,
-                  "field " + field.name + " has " +
-                    std::to_string(field.values.size()) +
-                    " values instead of " +
-                    std::to_string(field.n_components * n_items));
-        }
-    }
-
-    void
-    check(const Solution &solution)
-    {
-      const auto &cells = solution.cells;
-      require(solution.nodes_per_cell == 3 || solution.nodes_per_cell == 4,
-              "cells have " + std::to_string(solution.nodes_per_cell) +
-                " nodes instead of 3 or 4");
-      require(cells.size() % solution.nodes_per_cell == 0,
-              "the last cell is incomplete");
-      const auto largest = std::max_element(cells.begin(), cells.end());
-      require(cells.empty() || *largest < solution.points.size(),
-              "a cell has a node that does not exist");
-      check(solution.point_data, solution.points.size());
-      check(solution.cell_data, cells.size() / solution.nodes_per_cell);
-    }
-
-    void
-    add_field(const OutputField &field, FileContent &file)
-    {
-      const std::string attributes = "Name=" + quote(field.name) +
-                                     " NumberOfComponents=\"" +
-                                     std::to_string(field.n_components) + '"';
-      if (field.n_components < 6)
-        {
-          file.add_array("Float32",
-                         attributes,
-                         field.values.data(),
-                         field.values.size());
-          return;
-        }
-
-      // VTK's order is xx yy zz xy yz xz.
-      constexpr unsigned int vtk_order[6] = {0, 1, 2, 5, 3, 4};
-      std::vector<float>     reordered(field.values.size());
-      for (std::size_t i = 0; i < reordered.size(); ++i)
-        reordered[i] = field.values[i - i % 6 + vtk_order[i % 6]];
-      file.add_array("Float32",
-                     attributes +
-                       " ComponentName0=\"XX\" ComponentName1=\"YY\""
-                       " ComponentName2=\"ZZ\" ComponentName3=\"XY\""
-                       " ComponentName4=\"YZ\" ComponentName5=\"XZ\"",
-                     reordered.data(),
-                     reordered.size());
-    }
-
-    void
-    add_cells(const Solution &solution, FileContent &file)
-    {
-      constexpr int     vtk_triangle = 5, vtk_tetrahedron = 10;
-      const std::size_t n_cells =
-        solution.cells.size() / solution.nodes_per_cell;
-
-      file.add_array("Int32",
-                     "Name=\"connectivity\"",
-                     solution.cells.data(),
-                     solution.cells.size());
-
-      std::vector<std::int32_t> offsets(n_cells);
-      for (std::size_t i = 0; i < n_cells; ++i)
-        offsets[i] = solution.nodes_per_cell * (i + 1);
-      file.add_array("Int32", "Name=\"offsets\"", offsets.data(), n_cells);
-
-      const std::vector<std::uint8_t> types(
-        n_cells,
-        solution.nodes_per_cell == 3 ? vtk_triangle : vtk_tetrahedron);
-      file.add_array("UInt8", "Name=\"types\"", types.data(), n_cells);
-    }
-
-    FileContent
-    collect(const double time, const Solution &solution)
-    {
-      FileContent file;
-      file.xml =
-        "<?xml version=\"1.0\"?>\n"
-        "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
-        "byte_order=\"LittleEndian\" header_type=\"UInt64\" "
-        "compressor=\"vtkZLibDataCompressor\">\n<UnstructuredGrid>\n"
-        "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" "
-        "NumberOfTuples=\"1\" format=\"ascii\">" +
-        to_text(time) + "</DataArray>\n</FieldData>\n<Piece NumberOfPoints=\"" +
-        std::to_string(solution.points.size()) + "\" NumberOfCells=\"" +
-        std::to_string(solution.cells.size() / solution.nodes_per_cell) +
-        "\">\n<Points>\n";
-      file.add_array("Float64",
-                     "Name=\"Points\" NumberOfComponents=\"3\"",
-                     solution.points.data(),
-                     solution.points.size());
-      file.xml += "</Points>\n<Cells>\n";
-      add_cells(solution, file);
-      file.xml += "</Cells>\n<PointData>\n";
-      for (const auto &field : solution.point_data)
-        add_field(field, file);
-      file.xml += "</PointData>\n<CellData>\n";
-      for (const auto &field : solution.cell_data)
-        add_field(field, file);
-      file.xml += "</CellData>\n</Piece>\n</UnstructuredGrid>\n"
-                  "<AppendedData encoding=\"raw\">\n_";
-      return file;
+      attempt([&] { file.emplace(path); });
+      write(file_begin(time));
+      write_all(own_xml);
+      write("</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_");
+      write_all(own_data);
+      write("\n</AppendedData>\n</VTKFile>\n");
+      attempt([&] { file->commit(); });
+      if (failure)
+        std::rethrow_exception(failure);
     }
   } // namespace
 
   void
-  write_vtu(const std::string &path,
-            const double       time,
-            const Solution    &solution)
+  write_vtu(const std::string  &path,
+            const double        time,
+            const Solution     &solution,
+            const Communicator &communicator,
+            const int           ranks_per_file)
   {
     static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
                   "the files say that their numbers are little-endian");
-    check(solution);
-    const FileContent content = collect(time, solution);
-
-    AtomicFile file(path);
-    file.write(content.xml);
-    file.write(content.data);
-    file.write("\n</AppendedData>\n</VTKFile>\n");
-    file.commit();
+    const VtuPiece piece(solution);
+    const int      rank  = communicator.rank();
+    const int      first = rank - rank % ranks_per_file;
+    const auto     sizes =
+      communicator.all_gather(std::to_string(piece.data().size()));
+    const std::string xml = piece.xml(sum_of_sizes(sizes, first, rank));
+    communicator.together([&] {
+      if (rank == first)
+        write_pieces(path,
+                     time,
+                     xml,
+                     piece.data(),
+                     communicator,
+                     std::min(first + ranks_per_file, communicator.size()));
+      else
+        {
+          communicator.send(xml, first);
+          communicator.send(piece.data(), first);
+        }
+    });
   }
 
-  SolutionSeries::SolutionSeries(const std::string &directory,
-                                 const std::string &name)
+  SolutionSeries::SolutionSeries(const std::string  &directory,
+                                 const std::string  &name,
+                                 const Communicator &communicator,
+                                 const int           ranks_per_file)
     : directory(directory)
     , name(name)
+    , communicator(communicator)
+    , ranks_per_file(ranks_per_file)
   {
   }
 
   void
-  SolutionSeries::write(const double time, const Solution &solution)
+  SolutionSeries::write(const double time, const Solution &piece)
+  {
+    write_vtu(directory + "/" +
+                file_name(times.size(), communicator.rank() / ranks_per_file),
+              time,
+              piece,
+              communicator,
+              ranks_per_file);
+    times.push_back(time);
+    communicator.on_root([this] { write_list(); });
+  }
+
+  std::string
+  SolutionSeries::file_name(const std::size_t state, const int group) const
   {
     char number[32];
-    std::snprintf(number, sizeof(number), "-%05zu.vtu", states.size());
-    const std::string file_name = name + number;
-    write_vtu(directory + "/" + file_name, time, solution);
-    states.emplace_back(time, file_name);
+    std::snprintf(number, sizeof(number), "-%05zu", state);
+    return name + number +
+           (communicator.size() > ranks_per_file ? "." + std::to_string(group) :
+                                                   "") +
+           ".vtu";
+  }
 
+  void
+  SolutionSeries::write_list() const
+  {
     std::string list = "<?xml version=\"1.0\"?>\n"
                        "<VTKFile type=\"Collection\" version=\"1.0\">\n"
                        "<Collection>\n";
-    for (const auto &[time_of_state, file] : states)
-      list += "<DataSet timestep=\"" + to_text(time_of_state) +
-              "\" part=\"0\" file=" + quote(file) + "/>\n";
+    for (std::size_t i = 0; i < times.size(); ++i)
+      for (int group = 0; group * ranks_per_file < communicator.size(); ++group)
+        list += "<DataSet timestep=\"" + to_text(times[i]) + "\" part=\"" +
+                std::to_string(group) + "\" file=\"" + file_name(i, group) +
+                "\"/>\n";
     write_file_atomically(directory + "/" + name + ".pvd",
                           list + "</Collection>\n</VTKFile>\n");
   }

@@ -44,6 +44,22 @@ TEST(Communicator, Texts)
   EXPECT_EQ(text, "from the root");
 }
 
+TEST(Communicator, BytesFromOneRankToAnother)
+{
+  const Communicator all(MPI_COMM_WORLD);
+  if (!all.is_root())
+    {
+      all.send(text_of(all.rank()), 0);
+      all.send("second", 0);
+      return;
+    }
+  for (int rank = 1; rank < all.size(); ++rank)
+    {
+      EXPECT_EQ(all.receive(rank), text_of(rank));
+      EXPECT_EQ(all.receive(rank), "second");
+    }
+}
+
 TEST(Communicator, AllThrowTheErrorOfTheLowestRank)
 {
   const Communicator all(MPI_COMM_WORLD);

@@ -75,6 +75,13 @@ namespace rift
     void
     broadcast(std::string &bytes) const;
 
+    /** Sends bytes, however many, to a rank, which must receive() them. */
+    void
+    send(const std::string &bytes, int to) const;
+
+    std::string
+    receive(int from) const;
+
     /**
      * Calls `f` on each rank; where it throws an Error on any of them, all
      * throw that of the lowest rank. Collective.
