@@ -45,7 +45,14 @@ namespace rift
       if (starts_with("[Double"))
         return "a number";
       if (starts_with("[Integer"))
-        return "a whole number from 0 to 2147483647";
+        {
+          // "[Integer range 0...9 (inclusive)]"
+          const std::size_t begin = pattern.find("range ") + 6;
+          const std::size_t dots  = pattern.find("...", begin);
+          return "a whole number from " + pattern.substr(begin, dots - begin) +
+                 " to " +
+                 pattern.substr(dots + 3, pattern.find(' ', dots) - (dots + 3));
+        }
       if (starts_with("[List"))
         {
           const std::size_t length = pattern.rfind("of length ") + 10;

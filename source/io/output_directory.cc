@@ -22,19 +22,26 @@ namespace rift
                0;
     }
 
-    /** Whether `name` is `series`, a number of five digits or more, `.vtu`. */
+    /**
+     * Whether `name` is `series`, a number of five digits or more, and `.vtu`;
+     * the number of a group of ranks may stand before that: solid-00000.1.vtu.
+     */
     bool
     is_state_of(const std::string &series, const std::string &name)
     {
       const std::string start = series + "-", ending = ".vtu";
       if (name.compare(0, start.size(), start) != 0 || !ends_with(name, ending))
         return false;
-      const auto begin = name.begin() + start.size();
-      const auto end   = name.end() - ending.size();
-      return end - begin >= 5 &&
-             std::all_of(begin, end, [](const unsigned char c) {
-               return std::isdigit(c);
-             });
+      const auto begin      = name.begin() + start.size();
+      const auto end        = name.end() - ending.size();
+      const auto dot        = std::find(begin, end, '.');
+      const auto are_digits = [](const auto first, const auto last) {
+        return std::all_of(first, last, [](const unsigned char c) {
+          return std::isdigit(c);
+        });
+      };
+      return dot - begin >= 5 && are_digits(begin, dot) &&
+             (dot == end || (end - dot > 1 && are_digits(dot + 1, end)));
     }
 
     bool

@@ -62,6 +62,11 @@ namespace rift
                       "false",
                       dealii::Patterns::Bool(),
                       "Whether results of an older run may be replaced.");
+    prm.declare_entry("Ranks per file",
+                      std::to_string(defaults.ranks_per_file),
+                      dealii::Patterns::Integer(1),
+                      "On more ranks than this a state is divided into several "
+                      "files, each written by so many ranks together.");
     prm.leave_subsection();
   }
 
@@ -74,6 +79,7 @@ namespace rift
     result.solution_interval = prm.get_double("Solution interval");
     result.history_interval  = prm.get_double("History interval");
     result.overwrite         = prm.get_bool("Overwrite");
+    result.ranks_per_file = static_cast<int>(prm.get_integer("Ranks per file"));
     prm.leave_subsection();
     return result;
   }

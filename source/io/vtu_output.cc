@@ -128,24 +128,28 @@ namespace rift
   void
   SolutionSeries::write(const double time, const Solution &piece)
   {
+    const int n_files =
+      (communicator.size() + ranks_per_file - 1) / ranks_per_file;
     write_vtu(directory + "/" +
-                file_name(times.size(), communicator.rank() / ranks_per_file),
+                file_name(states_so_far.size(),
+                          communicator.rank() / ranks_per_file,
+                          n_files),
               time,
               piece,
               communicator,
               ranks_per_file);
-    times.push_back(time);
+    states_so_far.push_back({time, n_files});
     communicator.on_root([this] { write_list(); });
   }
 
   std::string
-  SolutionSeries::file_name(const std::size_t state, const int group) const
+  SolutionSeries::file_name(const std::size_t state,
+                            const int         file,
+                            const int         n_files) const
   {
     char number[32];
     std::snprintf(number, sizeof(number), "-%05zu", state);
-    return name + number +
-           (communicator.size() > ranks_per_file ? "." + std::to_string(group) :
-                                                   "") +
+    return name + number + (n_files > 1 ? "." + std::to_string(file) : "") +
            ".vtu";
   }
 
@@ -155,11 +159,11 @@ namespace rift
     std::string list = "<?xml version=\"1.0\"?>\n"
                        "<VTKFile type=\"Collection\" version=\"1.0\">\n"
                        "<Collection>\n";
-    for (std::size_t i = 0; i < times.size(); ++i)
-      for (int group = 0; group * ranks_per_file < communicator.size(); ++group)
-        list += "<DataSet timestep=\"" + to_text(times[i]) + "\" part=\"" +
-                std::to_string(group) + "\" file=\"" + file_name(i, group) +
-                "\"/>\n";
+    for (std::size_t i = 0; i < states_so_far.size(); ++i)
+      for (int file = 0; file < states_so_far[i].n_files; ++file)
+        list += "<DataSet timestep=\"" + to_text(states_so_far[i].time) +
+                "\" part=\"" + std::to_string(file) + "\" file=\"" +
+                file_name(i, file, states_so_far[i].n_files) + "\"/>\n";
     write_file_atomically(directory + "/" + name + ".pvd",
                           list + "</Collection>\n</VTKFile>\n");
   }

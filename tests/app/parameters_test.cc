@@ -98,6 +98,7 @@ subsection Output
   set Solution interval = 5e-6
   set History interval = 1e-7
   set Overwrite = true
+  set Ranks per file = 8
 end
 subsection Probe fspv
   set Field = velocity x
@@ -165,6 +166,7 @@ end
     EXPECT_EQ(p.output.solution_interval, 5e-6);
     EXPECT_EQ(p.output.history_interval, 1e-7);
     EXPECT_TRUE(p.output.overwrite);
+    EXPECT_EQ(p.output.ranks_per_file, 8);
     ASSERT_EQ(p.probes.size(), 2u);
     EXPECT_EQ(p.probes[0].name, "fspv");
     EXPECT_EQ(p.probes[0].field, ProbeParameters::Field::velocity);
@@ -236,6 +238,7 @@ end
   EXPECT_EQ(p.output.directory, OutputParameters().directory);
   EXPECT_EQ(p.output.solution_interval, OutputParameters().solution_interval);
   EXPECT_EQ(p.output.history_interval, OutputParameters().history_interval);
+  EXPECT_EQ(p.output.ranks_per_file, OutputParameters().ranks_per_file);
   EXPECT_EQ(p.output.overwrite, OutputParameters().overwrite);
 }
 

@@ -102,6 +102,24 @@ TEST(VtuPieces, EachRankHasAPieceInTheFileOfItsGroup)
     }
 }
 
+TEST(VtuPieces, StatesOfAnotherNumberOfRanksAreListed)
+{
+  const Communicator    all(MPI_COMM_WORLD);
+  const SharedDirectory directory(all);
+  SolutionSeries        series(directory.path, "solid", all, 64);
+  series.go_on_after({{0, 1}, {.5, 2}});
+  series.write(1, piece_of(all.rank(), 1));
+  ASSERT_EQ(series.states().size(), 3u);
+  EXPECT_EQ(series.states()[2].n_files, 1);
+  const std::string list = read_file(directory / "solid.pvd");
+  for (const char *expected :
+       {"\"0\" part=\"0\" file=\"solid-00000.vtu\"/>\n<DataSet",
+        "\"0.5\" part=\"0\" file=\"solid-00001.0.vtu\"/>\n<DataSet",
+        "\"0.5\" part=\"1\" file=\"solid-00001.1.vtu\"/>\n<DataSet",
+        "\"1\" part=\"0\" file=\"solid-00002.vtu\"/>\n</Collection>"})
+    EXPECT_NE(list.find(expected), std::string::npos) << expected << list;
+}
+
 TEST(VtuPieces, FullDiskOfOneGroupIsAnErrorOnAllRanks)
 {
   const Communicator all(MPI_COMM_WORLD);

@@ -28,6 +28,9 @@ namespace rift
     /** Whether results of an older run may be replaced. */
     bool overwrite = false;
 
+    /** Ranks that write one file of a state together. */
+    int ranks_per_file = 64;
+
     /** Declares the entries of subsection Output. */
     static void
     declare(dealii::ParameterHandler &prm);

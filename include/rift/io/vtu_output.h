@@ -67,10 +67,35 @@ namespace rift
     void
     write(double time, const Solution &piece);
 
+    /** One state on the disk: its time, s, and in how many files it is, which
+     * is not the same after a restart on another number of ranks. */
+    struct WrittenState
+    {
+      double time;
+      int    n_files;
+    };
+
+    /** All states so far. */
+    const std::vector<WrittenState> &
+    states() const
+    {
+      return states_so_far;
+    }
+
+    /**
+     * After a restart: goes on behind these states, which states() has told.
+     * Later ones that are on the disk will be written over.
+     */
+    void
+    go_on_after(const std::vector<WrittenState> &states)
+    {
+      states_so_far = states;
+    }
+
   private:
-    /** Name of the file of a group of ranks. */
+    /** Name of one of the files of a state. */
     std::string
-    file_name(std::size_t state, int group) const;
+    file_name(std::size_t state, int file, int n_files) const;
 
     void
     write_list() const;
@@ -80,8 +105,7 @@ namespace rift
     const Communicator communicator;
     const int          ranks_per_file;
 
-    /** Of each state so far. */
-    std::vector<double> times;
+    std::vector<WrittenState> states_so_far;
   };
 } // namespace rift
 
