@@ -4,6 +4,7 @@
 #include <rift/discretization/discretize.h>
 #include <rift/mesh/cell_ordering.h>
 #include <rift/mesh/gmsh_reader.h>
+#include <rift/mesh/mesh_buffer.h>
 #include <rift/mesh/mesh_checks.h>
 #include <rift/mesh/triangulation.h>
 
@@ -74,19 +75,75 @@ namespace rift
                          " does not have." + suggestion(name, outer));
     }
 
+    /** What all ranks have to know of a mesh: its names and named faces. */
     MeshData
-    make_mesh(const Parameters &parameters)
+    share_names(const MeshData &mesh, const Communicator &communicator)
     {
-      MeshData mesh = read_mesh(parameters.mesh);
-      check_mesh(mesh);
-      check_materials(parameters, mesh);
-      for (const BoundaryParameters &boundary : parameters.boundaries)
-        check_boundary(boundary.name, "Boundary " + boundary.name, mesh);
-      for (const ProbeParameters &probe : parameters.probes)
-        if (!probe.boundary.empty())
-          check_boundary(probe.boundary, "Probe " + probe.name, mesh);
-      order_cells(mesh);
-      return mesh;
+      MeshData names       = mesh;
+      names.vertices       = {};
+      names.cells          = {};
+      names.cell_tags      = {};
+      names.cell_materials = {};
+      std::string bytes    = pack_mesh(names);
+      communicator.broadcast(bytes);
+      return unpack_mesh(bytes);
+    }
+
+    void
+    check_number_of_ranks(const MeshData &mesh, const int n_ranks)
+    {
+      if (mesh.cells.size() < static_cast<std::size_t>(n_ranks))
+        throw InputError("the mesh " + mesh.source + " has " +
+                         std::to_string(mesh.cells.size()) +
+                         " cells, too few for " + std::to_string(n_ranks) +
+                         " ranks. Start rift on fewer ranks.");
+    }
+
+    std::map<std::string, Surface>
+    find_surfaces(const Topology               &topology,
+                  const MeshData               &names,
+                  const std::vector<NamedFace> &faces)
+    {
+      std::map<std::string, Surface> surfaces;
+      for (std::size_t i = 0; i < names.surface_names.size(); ++i)
+        surfaces[names.surface_names[i]] =
+          find_surface(topology, faces, static_cast<std::uint16_t>(i));
+      return surfaces;
+    }
+
+    std::size_t
+    count_nodes(const Body &body)
+    {
+      const Topology &topology = body.discretization.topology;
+      std::int64_t    n        = 0;
+      for (NodeIndex node = 0; node < topology.n_nodes(); ++node)
+        n += topology.owns_node(node) ? 1 : 0;
+      return static_cast<std::size_t>(body.communicator.sum(n));
+    }
+
+    /** Says what the mesh is. Collective. */
+    void
+    describe(const Body &body, const MeshData &mesh, Log &log)
+    {
+      const std::size_t n_nodes = count_nodes(body);
+      if (!body.communicator.is_root())
+        return;
+      const auto list = [](const std::vector<std::string> &names) {
+        std::string text;
+        for (const std::string &name : names)
+          text += (text.empty() ? "" : ", ") + name;
+        return text.empty() ? std::string("none") : text;
+      };
+      if (n_nodes > mesh.vertices.size())
+        log.write("Pieces that touch by an edge or a vertex alone are not "
+                  "connected there: " +
+                  std::to_string(n_nodes - mesh.vertices.size()) +
+                  " nodes have been doubled");
+      log.write("Mesh " + mesh.source + ": " +
+                std::to_string(mesh.cells.size()) + " cells, " +
+                std::to_string(n_nodes) +
+                " nodes; materials: " + list(mesh.material_names) +
+                "; boundaries: " + list(boundary_names(mesh)));
     }
 
     /** Velocities at the start: of each cell's material, weighted by mass. */
@@ -114,19 +171,35 @@ namespace rift
     }
   } // namespace
 
-  Body
-  make_body(const Parameters   &parameters,
-            const Communicator &communicator,
-            Log                &log)
+  MeshData
+  make_mesh(const Parameters &parameters, const Communicator &communicator)
   {
-    if (communicator.size() > 1)
-      throw InputError("this version of rift computes on one rank, and was "
-                       "started on " +
-                       std::to_string(communicator.size()) +
-                       ". Start it without mpirun, or with -np 1.");
-    const MeshData mesh = make_mesh(parameters);
-    Body           body{communicator, {Topology({}, 0), {}, {}}, {}, {}, {}};
-    for (const std::string &name : mesh.material_names)
+    MeshData mesh;
+    communicator.on_root([&] {
+      mesh = read_mesh(parameters.mesh);
+      check_mesh(mesh);
+      check_materials(parameters, mesh);
+      for (const BoundaryParameters &boundary : parameters.boundaries)
+        check_boundary(boundary.name, "Boundary " + boundary.name, mesh);
+      for (const ProbeParameters &probe : parameters.probes)
+        if (!probe.boundary.empty())
+          check_boundary(probe.boundary, "Probe " + probe.name, mesh);
+      check_number_of_ranks(mesh, communicator.size());
+      order_cells(mesh);
+    });
+    return mesh;
+  }
+
+  Body
+  make_body(const Parameters       &parameters,
+            const MeshData         &mesh,
+            const std::vector<int> &owners,
+            const Communicator     &communicator,
+            Log                    &log)
+  {
+    const MeshData names = share_names(mesh, communicator);
+    Body body{communicator, {Topology({}, 0), {}, {}, {}}, {}, {}, {}};
+    for (const std::string &name : names.material_names)
       for (const MaterialParameters &material : parameters.materials)
         if (material.name == name)
           body.materials.push_back(material);
@@ -135,36 +208,15 @@ namespace rift
     for (const MaterialParameters &material : body.materials)
       densities.push_back(material.density);
     body.discretization =
-      discretize(*make_triangulation(mesh, communicator.mpi()), densities);
-    for (std::size_t i = 0; i < mesh.surface_names.size(); ++i)
-      {
-        const auto name    = static_cast<std::uint16_t>(i);
-        const auto surface = [&](const std::vector<NamedFace> &faces) {
-          return find_surface(body.discretization.topology, faces, name);
-        };
-        body.surfaces[mesh.surface_names[i]] = surface(mesh.boundary_faces);
-        body.internal_surfaces[mesh.surface_names[i]] =
-          surface(mesh.internal_faces);
-      }
+      discretize(*make_triangulation(mesh, owners, communicator.mpi()),
+                 densities,
+                 communicator);
+    const Topology &topology = body.discretization.topology;
+    body.surfaces = find_surfaces(topology, names, names.boundary_faces);
+    body.internal_surfaces =
+      find_surfaces(topology, names, names.internal_faces);
     set_initial_velocity(body);
-    const auto list = [](const std::vector<std::string> &names) {
-      std::string text;
-      for (const std::string &name : names)
-        text += (text.empty() ? "" : ", ") + name;
-      return text.empty() ? std::string("none") : text;
-    };
-    if (const std::size_t n_new =
-          body.discretization.topology.n_nodes() - mesh.vertices.size();
-        n_new > 0)
-      log.write("Pieces that touch by an edge or a vertex alone are not "
-                "connected there: " +
-                std::to_string(n_new) + " nodes have been doubled");
-    log.write("Mesh " + mesh.source + ": " +
-              std::to_string(body.discretization.topology.n_cells()) +
-              " cells, " +
-              std::to_string(body.discretization.topology.n_nodes()) +
-              " nodes; materials: " + list(mesh.material_names) +
-              "; boundaries: " + list(boundary_names(mesh)));
+    describe(body, mesh, log);
     return body;
   }
 } // namespace rift

@@ -5,8 +5,12 @@
 #include <rift/base/number_text.h>
 #include <rift/base/parameter_text.h>
 #include <rift/io/progress.h>
+#include <rift/mesh/partition.h>
 #include <rift/time_integration/central_difference.h>
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 
@@ -16,6 +20,12 @@ namespace rift
   {
     /** Number of steps between two looks at the balance of energy. */
     constexpr std::uint64_t balance_interval = 100;
+
+    /** Ranks ask each other about so often whether all goes well... */
+    constexpr double seconds_between_agreements = .5;
+
+    /** ... and after so many steps in any case. */
+    constexpr std::uint64_t largest_agreement_interval = 100;
 
     /** No body stands a step above the bound by this. */
     constexpr double largest_step_over_bound = 10;
@@ -54,7 +64,14 @@ namespace rift
                          const Communicator &communicator)
     : parameters(parameters)
     , log(log)
-    , body(make_body(parameters, communicator, log))
+    , mesh(make_mesh(parameters, communicator))
+    , body(make_body(parameters,
+                     mesh,
+                     partition_cells(mesh,
+                                     communicator.size(),
+                                     parameters.mesh.partition),
+                     communicator,
+                     log))
     , densities(densities_of(body.materials))
     , laws(laws_of(body.materials))
     , internal_force(body.discretization.topology,
@@ -71,7 +88,7 @@ namespace rift
   void
   Simulation::make_modules()
   {
-    auto &[topology, reference, state] = body.discretization;
+    auto &[topology, reference, state, exchange] = body.discretization;
 
     bool   moves_from_start = BodyForce::is_needed(parameters.body_force);
     double viscosity        = 0;
@@ -100,7 +117,10 @@ namespace rift
         internal_force.watch(fracture->strengths.stress_bounds());
       }
     if (viscosity > 0)
-      damping.emplace(topology, reference, viscosities);
+      {
+        damping.emplace(topology, reference, viscosities);
+        exchange.include_velocities();
+      }
 
     std::vector<PrescribedMotion::Boundary> moved;
     for (const BoundaryParameters &boundary : parameters.boundaries)
@@ -117,6 +137,8 @@ namespace rift
       body_force.emplace(parameters.body_force);
     if (moves_from_start)
       activity.wake_all(topology);
+    exchange.send(topology, state, {}, {});
+    exchange.receive(topology, state, activity);
   }
 
   void
@@ -211,16 +233,17 @@ namespace rift
     State &state = body.discretization.state;
 
     // 1. Insertion: faces of the cells that were near their strength
+    TopologyChange change;
     if (fracture && !internal_force.hot_cells().empty())
       {
-        split_at(
+        change = split_at(
           fracture->insertion.find_faces(state, internal_force.hot_cells()));
         timer.stop("insertion");
       }
 
     // 2. Internal forces
     if (const auto failed = internal_force.add_to(state, activity))
-      stop_unstable(*failed);
+      note_failure(*failed);
     timer.stop("internal forces");
 
     // 3. Cohesive tractions
@@ -274,7 +297,11 @@ namespace rift
     advance(state, activity, dt);
     timer.stop("kick and drift");
 
-    // 9. Faces that begin to open take over the forces that held the nodes
+    // 9. Nodes of ghost cells follow those of their owners
+    follow_neighbours(change.splits, openings);
+    timer.stop("exchange");
+
+    // 10. Faces that begin to open take over the forces that held the nodes
     if (fracture)
       {
         fracture->force.start_openings(state, std::move(openings));
@@ -282,16 +309,16 @@ namespace rift
       }
   }
 
-  void
+  TopologyChange
   Simulation::split_at(const std::vector<FaceIndex> &faces)
   {
     if (faces.empty())
-      return;
-    auto &[topology, reference, state] = body.discretization;
-    const TopologyChange change        = split_nodes(topology, faces);
+      return {};
+    auto &[topology, reference, state, exchange] = body.discretization;
+    TopologyChange change = split_nodes(topology, faces);
     fracture->n_inserted += faces.size();
     if (change.splits.empty())
-      return;
+      return change;
 
     state.grow(change);
     for (const NodeSplit &split : change.splits)
@@ -299,6 +326,29 @@ namespace rift
         state.mass[part] = lumped_mass(topology, reference, densities, part);
     activity.grow(topology.n_nodes());
     fracture->force.apply(change);
+    update_surfaces();
+    return change;
+  }
+
+  void
+  Simulation::follow_neighbours(const std::vector<NodeSplit> &splits,
+                                std::vector<OpeningCorner>   &openings)
+  {
+    auto &[topology, reference, state, exchange] = body.discretization;
+    exchange.send(topology, state, splits, openings);
+    const auto change = exchange.receive(topology, state, activity);
+    openings.insert(openings.end(),
+                    change.openings.begin(),
+                    change.openings.end());
+    if (change.vertices.empty())
+      return;
+    fracture->force.update_nodes(change.vertices);
+    update_surfaces();
+  }
+
+  void
+  Simulation::update_surfaces()
+  {
     for (SurfaceLoad &load : surface_loads)
       load.update_nodes();
     if (prescribed_motion)
@@ -375,6 +425,8 @@ namespace rift
     const bool history = results.is_history_due(state().time, dt) ||
                          (is_last && results.is_open());
     const bool solution = results.is_solution_due(state().time, dt);
+    if (history || solution || is_last || state().step >= next_agreement)
+      agree();
     if (history || is_last || state().step % balance_interval == 0)
       balance_energy();
     if (history)
@@ -402,19 +454,70 @@ namespace rift
   }
 
   void
-  Simulation::stop_unstable(const FailedCell &failed) const
+  Simulation::note_failure(const FailedCell &failed)
   {
+    if (failure)
+      return;
     Vector3<double> centre = {{0, 0, 0}};
     for (unsigned int c = 0; c < n_corners; ++c)
       centre +=
         .25 * state().reference[topology().node(failed.cell, c)].vector();
-    throw RunError(
-      "cell " + std::to_string(topology().cell_global_indices[failed.cell]) +
-      " of " + body.materials[topology().material(failed.cell)].name + " at " +
+    const GlobalCellIndex cell = topology().cell_global_indices[failed.cell];
+    failure                    = Failure{
+      state().step,
+      cell,
+      "cell " + std::to_string(cell) + " of " + body.materials[topology().material(failed.cell)].name + " at " +
       place_text(centre) + " has " + short_text(failed.volume_ratio) +
       " of its volume; below " + to_text(InternalForce::smallest_volume_ratio) +
       " the elastic law has no meaning. At " + moment_text() +
-      ". Choose a smaller time step or safety factor, or a weaker load.");
+      ". Choose a smaller time step or safety factor, or a weaker load."};
+  }
+
+  void
+  Simulation::agree()
+  {
+    enum
+    {
+      failed,
+      steps_to_next,
+      n_numbers
+    };
+    const auto                now = std::chrono::steady_clock::now();
+    std::vector<std::int64_t> numbers(n_numbers, 0);
+    numbers[failed] = failure ? 1 : 0;
+    if (body.communicator.is_root())
+      {
+        const double seconds =
+          std::chrono::duration<double>(now - last_agreement).count();
+        const double steps = state().step - step_of_last_agreement;
+        numbers[steps_to_next] = static_cast<std::int64_t>(
+          std::clamp(steps * seconds_between_agreements / seconds,
+                     1.,
+                     1. * largest_agreement_interval));
+      }
+    body.communicator.sum(numbers);
+    last_agreement         = now;
+    step_of_last_agreement = state().step;
+    next_agreement         = state().step + numbers[steps_to_next];
+    if (numbers[failed] > 0)
+      stop_failed();
+  }
+
+  void
+  Simulation::stop_failed() const
+  {
+    // The first failure counts; several ranks may have seen it.
+    std::string own;
+    if (failure)
+      own = fmt::format("{:020}{:010}{}",
+                        failure->step,
+                        failure->cell,
+                        failure->message);
+    std::string first;
+    for (const std::string &one : body.communicator.all_gather(own))
+      if (!one.empty() && (first.empty() || one < first))
+        first = one;
+    throw RunError(first.substr(30));
   }
 
   void

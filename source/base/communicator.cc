@@ -11,8 +11,8 @@ namespace rift
     /** MPI counts bytes with an int: longer texts go in pieces of this. */
     constexpr std::size_t largest_piece = std::numeric_limits<int>::max();
 
-    /** Of the messages of send(). */
-    constexpr int bytes_tag = 1;
+    /** One tag for each way in which messages go between pairs of ranks. */
+    constexpr int exchange_tag = 1, bytes_tag = 2;
 
     int
     count_of(const std::string &bytes)
@@ -102,6 +102,55 @@ namespace rift
   Communicator::any(const bool value) const
   {
     return sum(value ? 1 : 0) > 0;
+  }
+
+  std::map<int, std::string>
+  Communicator::exchange(const std::map<int, std::string> &messages) const
+  {
+    if (n_ranks == 1)
+      return messages;
+    std::vector<int> sent(n_ranks, -1), received(n_ranks);
+    for (const auto &[rank, bytes] : messages)
+      sent[rank] = count_of(bytes);
+    MPI_Alltoall(sent.data(),
+                 1,
+                 MPI_INT,
+                 received.data(),
+                 1,
+                 MPI_INT,
+                 communicator);
+
+    std::map<int, std::string> result;
+    std::vector<MPI_Request>   requests;
+    for (int rank = 0; rank < n_ranks; ++rank)
+      if (received[rank] >= 0)
+        {
+          std::string &bytes = result[rank];
+          bytes.resize(received[rank]);
+          requests.emplace_back();
+          MPI_Irecv(bytes.data(),
+                    received[rank],
+                    MPI_BYTE,
+                    rank,
+                    exchange_tag,
+                    communicator,
+                    &requests.back());
+        }
+    for (const auto &[rank, bytes] : messages)
+      {
+        requests.emplace_back();
+        MPI_Isend(bytes.data(),
+                  sent[rank],
+                  MPI_BYTE,
+                  rank,
+                  tag,
+                  communicator,
+                  &requests.back());
+      }
+    MPI_Waitall(static_cast<int>(requests.size()),
+                requests.data(),
+                MPI_STATUSES_IGNORE);
+    return result;
   }
 
   std::vector<std::string>

@@ -10,6 +10,7 @@
 #include <deal.II/fe/mapping_fe.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace rift
 {
@@ -35,25 +36,37 @@ namespace rift
     Topology
     make_topology(
       const std::vector<std::pair<GlobalCellIndex, CellIterator>> &cells,
-      const Triangulation &triangulation)
+      const Triangulation                                         &triangulation,
+      const int                                                    own_rank)
     {
-      std::vector<LocalCell> local_cells;
+      // Vertices in the order in which cells need them.
+      std::vector<VertexIndex> numbers(triangulation.n_vertices(),
+                                       invalid_index);
+      VertexIndex              n_vertices = 0;
+      std::vector<LocalCell>   local_cells;
       local_cells.reserve(cells.size());
       for (const auto &[global_index, cell] : cells)
         {
           LocalCell local{global_index, {}, 0};
           local.material = static_cast<std::uint16_t>(cell->material_id());
+          local.owner    = static_cast<int>(cell->subdomain_id());
           for (unsigned int c = 0; c < n_corners; ++c)
-            local.vertices[c] = static_cast<VertexIndex>(cell->vertex_index(c));
+            {
+              VertexIndex &number = numbers[cell->vertex_index(c)];
+              if (number == invalid_index)
+                number = n_vertices++;
+              local.vertices[c] = number;
+            }
           local_cells.push_back(local);
         }
-      return Topology(local_cells, triangulation.n_vertices());
+      return Topology(local_cells, n_vertices, own_rank);
     }
   } // namespace
 
   Discretization
   discretize(const Triangulation       &triangulation,
-             const std::vector<double> &densities)
+             const std::vector<double> &densities,
+             const Communicator        &communicator)
   {
     // The vector-valued space of the displacement; its scalar shape functions
     // are the same for the three components, so that of x is asked.
@@ -69,10 +82,16 @@ namespace rift
     dof_handler.distribute_dofs(fe);
 
     const auto     cells = sorted_cells(dof_handler);
-    Discretization result{make_topology(cells, triangulation), {}, {}};
+    Discretization result{make_topology(cells,
+                                        triangulation,
+                                        communicator.rank()),
+                          {},
+                          {},
+                          {}};
     Topology      &topology = result.topology;
 
     separate_touching_pieces(topology);
+    result.exchange = GhostExchange(communicator, topology);
     result.reference.resize(topology.n_batches(), ReferenceBatch{});
     result.state.resize(topology.n_nodes());
     CellIndex slot = 0;
@@ -100,7 +119,9 @@ namespace rift
       }
     for (NodeIndex node = 0; node < topology.n_nodes(); ++node)
       result.state.mass[node] =
-        lumped_mass(topology, result.reference, densities, node);
+        topology.is_complete(topology.node_vertices[node]) ?
+          lumped_mass(topology, result.reference, densities, node) :
+          std::numeric_limits<double>::infinity();
     return result;
   }
 } // namespace rift

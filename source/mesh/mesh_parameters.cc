@@ -141,6 +141,13 @@ namespace rift
                       defaults.material,
                       Patterns::Anything(),
                       "The material of a built-in shape.");
+    prm.declare_entry("Partition",
+                      "curve",
+                      Patterns::Selection("curve|metis"),
+                      "How the cells are divided among ranks: in ranges along "
+                      "a space-filling curve, or by METIS, which takes longer "
+                      "and makes smaller interfaces. Results do not depend on "
+                      "it.");
     prm.leave_subsection();
   }
 
@@ -162,6 +169,8 @@ namespace rift
     result.cylinder_radius = prm.get_double("Cylinder radius");
     result.cylinder_length = prm.get_double("Cylinder length");
     result.material        = prm.get("Material");
+    result.partition = prm.get("Partition") == "metis" ? Partition::metis :
+                                                         Partition::curve;
     prm.leave_subsection();
     return result;
   }

@@ -96,7 +96,11 @@ namespace rift
         topology.face_states[face] = FaceState::cohesive;
         const Face &f              = topology.faces[face];
         for (const unsigned int corner : face_corners[f.local_faces[0]])
-          affected.push_back(topology.node(f.cells[0], corner));
+          {
+            const NodeIndex node = topology.node(f.cells[0], corner);
+            if (topology.is_complete(topology.node_vertices[node]))
+              affected.push_back(node);
+          }
       }
     std::sort(affected.begin(), affected.end());
     affected.erase(std::unique(affected.begin(), affected.end()),
@@ -118,7 +122,8 @@ namespace rift
   {
     const auto n_before = static_cast<NodeIndex>(topology.n_nodes());
     for (NodeIndex node = 0; node < n_before; ++node)
-      split_node(topology, node);
+      if (topology.is_complete(topology.node_vertices[node]))
+        split_node(topology, node);
     return topology.n_nodes() - n_before;
   }
 } // namespace rift

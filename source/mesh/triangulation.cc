@@ -49,16 +49,17 @@ namespace rift
   } // namespace
 
   std::unique_ptr<dealii::parallel::fullydistributed::Triangulation<dim>>
-  make_triangulation(const MeshData &mesh, const MPI_Comm &communicator)
+  make_triangulation(const MeshData         &mesh,
+                     const std::vector<int> &owners,
+                     const MPI_Comm         &communicator)
   {
     const unsigned int n_ranks =
       dealii::Utilities::MPI::n_mpi_processes(communicator);
     const auto partition = [&](dealii::Triangulation<dim> &triangulation,
                                const MPI_Comm &,
                                const unsigned int) {
-      const std::uint64_t n_cells = triangulation.n_active_cells();
       for (const auto &cell : triangulation.active_cell_iterators())
-        cell->set_subdomain_id(cell->active_cell_index() * n_ranks / n_cells);
+        cell->set_subdomain_id(owners[cell->active_cell_index()]);
     };
 
     // One group of all ranks: rank 0 makes the description of all parts.

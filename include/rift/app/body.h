@@ -30,15 +30,26 @@ namespace rift
   };
 
   /**
-   * Reads or makes the mesh, checks it, and fits it together with what the
-   * .prm says of its materials and boundaries.
+   * Reads or makes the mesh, checks it and what the .prm says of its materials
+   * and boundaries, and puts its cells in order. The result is on rank 0, the
+   * others get an empty one. Collective.
    *
    * @throws InputError for a bad mesh and for names that do not match.
    */
+  MeshData
+  make_mesh(const Parameters &parameters, const Communicator &communicator);
+
+  /**
+   * Divides a mesh among the ranks and makes the body of it. Collective.
+   *
+   * @param mesh, owners of rank 0 count; see make_triangulation().
+   */
   Body
-  make_body(const Parameters   &parameters,
-            const Communicator &communicator,
-            Log                &log);
+  make_body(const Parameters       &parameters,
+            const MeshData         &mesh,
+            const std::vector<int> &owners,
+            const Communicator     &communicator,
+            Log                    &log);
 } // namespace rift
 
 #endif

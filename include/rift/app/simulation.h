@@ -14,6 +14,7 @@
 #include <rift/time_integration/critical_time_step.h>
 #include <rift/time_integration/energy_ledger.h>
 
+#include <chrono>
 #include <optional>
 
 namespace rift
@@ -112,8 +113,18 @@ namespace rift
     void
     choose_time_step();
 
-    void
+    /** Cuts faces; returns the nodes that this has split. */
+    TopologyChange
     split_at(const std::vector<FaceIndex> &faces);
+
+    /** Exchanges positions with the other ranks, and what has opened. */
+    void
+    follow_neighbours(const std::vector<NodeSplit> &splits,
+                      std::vector<OpeningCorner>   &openings);
+
+    /** Has the loads take in new nodes. */
+    void
+    update_surfaces();
 
     void
     count_work();
@@ -125,8 +136,21 @@ namespace rift
     void
     write_due_results();
 
+    /** Keeps in mind that a cell has left its range, until agree(). */
+    void
+    note_failure(const FailedCell &failed);
+
+    /**
+     * Finds out whether all ranks are well. Each rank goes on after a failure
+     * until then, so that none waits for it in vain. Collective.
+     *
+     * @throws RunError on all ranks if a cell has left its range on any.
+     */
+    void
+    agree();
+
     [[noreturn]] void
-    stop_unstable(const FailedCell &failed) const;
+    stop_failed() const;
 
     /** "step 12, t = 1e-6 s, time step 0.9 times its safe bound" */
     std::string
@@ -139,9 +163,18 @@ namespace rift
     Snapshot
     snapshot() const;
 
+    /** The first cell that has left its range, and when. */
+    struct Failure
+    {
+      std::uint64_t   step;
+      GlobalCellIndex cell;
+      std::string     message;
+    };
+
     StageTimer       timer;
     const Parameters parameters;
     Log             &log;
+    const MeshData   mesh;
     Body             body;
 
     std::vector<double>             densities;
@@ -159,6 +192,12 @@ namespace rift
     std::uint64_t    last_step = 0;
     EnergyLedger     ledger;
     Results          results;
+
+    std::optional<Failure>                failure;
+    std::uint64_t                         next_agreement         = 0;
+    std::uint64_t                         step_of_last_agreement = 0;
+    std::chrono::steady_clock::time_point last_agreement =
+      std::chrono::steady_clock::now();
   };
 } // namespace rift
 

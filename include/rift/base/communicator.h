@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,13 @@ namespace rift
 
     bool
     any(bool value) const;
+
+    /**
+     * Sends each of these bytes to the rank of its key; returns what has come
+     * from each rank that has sent something. Collective.
+     */
+    std::map<int, std::string>
+    exchange(const std::map<int, std::string> &messages) const;
 
     /** The bytes of all ranks, on all ranks, by rank. Collective. */
     std::vector<std::string>

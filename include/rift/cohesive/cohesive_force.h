@@ -4,6 +4,7 @@
 #include <rift/cohesive/cohesive_faces.h>
 #include <rift/cohesive/face_kinematics.h>
 #include <rift/cohesive/face_strengths.h>
+#include <rift/discretization/ghost_exchange.h>
 #include <rift/discretization/state.h>
 #include <rift/material/elasticity.h>
 
@@ -17,18 +18,6 @@ namespace rift
    * where none is. */
   using PrescribedAcceleration =
     std::function<std::optional<double>(NodeIndex, unsigned int)>;
-
-  /** A corner of a face at which its two sides have just parted. */
-  struct OpeningCorner
-  {
-    FaceIndex face;
-
-    /** 0, 1, 2 as seen from the minus side; see face_corners. */
-    std::uint8_t corner;
-
-    /** What the bond of the nodes did to the minus side until now, N. */
-    Vector3<double> force;
-  };
 
   /** Energies of all cohesive elements, J. */
   struct CohesiveEnergy

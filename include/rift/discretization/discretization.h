@@ -1,6 +1,7 @@
 #ifndef rift_discretization_discretization_h
 #define rift_discretization_discretization_h
 
+#include <rift/discretization/ghost_exchange.h>
 #include <rift/discretization/reference_cell_data.h>
 #include <rift/discretization/state.h>
 #include <rift/mesh/topology.h>
@@ -13,6 +14,7 @@ namespace rift
     Topology          topology;
     ReferenceCellData reference;
     State             state;
+    GhostExchange     exchange;
   };
 } // namespace rift
 

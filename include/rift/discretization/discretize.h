@@ -13,14 +13,15 @@ namespace rift
    * Takes cells, shape function gradients, volumes and lumped masses from
    * deal.II's linear simplex element FE_SimplexP(1) over all cells that this
    * rank sees, into the arrays that the step works on. deal.II is not needed
-   * after that.
+   * after that. Collective.
    *
    * @param densities kg/m^3 of each material id of the triangulation.
    */
   Discretization
   discretize(
     const dealii::parallel::fullydistributed::Triangulation<dim> &triangulation,
-    const std::vector<double>                                    &densities);
+    const std::vector<double>                                    &densities,
+    const Communicator                                           &communicator);
 } // namespace rift
 
 #endif

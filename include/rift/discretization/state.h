@@ -27,7 +27,10 @@ namespace rift
     /** Sum of the forces of the step, N; zero outside of the step. */
     std::vector<NodalVector> force;
 
-    /** Lumped mass, kg. */
+    /**
+     * Lumped mass, kg; infinite at incomplete vertices, whose nodes go where
+     * GhostExchange takes them.
+     */
     std::vector<double> mass;
 
     /** Time t_n, s, and its number n. */

@@ -24,6 +24,13 @@ namespace rift
       cylinder
     };
 
+    /** How cells are divided among ranks; see partition_cells(). */
+    enum class Partition
+    {
+      curve,
+      metis
+    };
+
     Shape shape = Shape::file;
 
     /** A .geo or .msh file, already made relative to the .prm's folder. */
@@ -44,6 +51,8 @@ namespace rift
 
     /** The only material of a built-in shape. */
     std::string material = "rock";
+
+    Partition partition = Partition::curve;
 
     /** Declares the entries of subsection Mesh. */
     static void

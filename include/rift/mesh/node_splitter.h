@@ -37,16 +37,18 @@ namespace rift
    * inside of the body parts nothing before its neighbours are cut.
    *
    * The result does not depend on the order in which faces are cut, but for
-   * the numbers of the new nodes.
+   * the numbers of the new nodes. Nodes at incomplete vertices are left alone.
    *
    * @param cut_faces interior faces that are intact, ascending, no duplicates.
    */
   TopologyChange
   split_nodes(Topology &topology, const std::vector<FaceIndex> &cut_faces);
+
   /**
    * Gives a node of its own to each piece of cells at vertices where pieces
    * touch by an edge or by the vertex alone, before anything is cut: where no
-   * face connects them there is nothing that could be cut, either.
+   * face connects them there is nothing that could be cut, either. Nodes at
+   * incomplete vertices are left alone.
    *
    * @return number of nodes that this has made.
    */

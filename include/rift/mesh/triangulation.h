@@ -17,13 +17,17 @@ namespace rift
    * - The material id is the index into MeshData::material_names.
    * - The boundary id of a named face is 1 + its index in
    *   MeshData::surface_names; it is 0 for faces without a name.
-   * - Each rank owns a contiguous range of the cells, which are expected in
-   *   the order of order_cells(); the ranges differ by one cell at most.
+   * - Each rank has the cells that it owns and, as ghosts, those that share a
+   *   vertex with one of them.
    *
-   * Only rank 0 reads `mesh`; the others may pass an empty one.
+   * Only rank 0 reads `mesh` and `owners`; the others may pass empty ones.
+   *
+   * @param owners rank of each cell; see partition_cells().
    */
   std::unique_ptr<dealii::parallel::fullydistributed::Triangulation<dim>>
-  make_triangulation(const MeshData &mesh, const MPI_Comm &communicator);
+  make_triangulation(const MeshData         &mesh,
+                     const std::vector<int> &owners,
+                     const MPI_Comm         &communicator);
 } // namespace rift
 
 #endif

@@ -1,0 +1,197 @@
+#ifndef rift_discretization_ghost_exchange_h
+#define rift_discretization_ghost_exchange_h
+
+#include <rift/base/communicator.h>
+#include <rift/discretization/activity.h>
+#include <rift/discretization/state.h>
+
+#include <vector>
+
+namespace rift
+{
+  /** A corner of a face at which its two sides have just parted. */
+  struct OpeningCorner
+  {
+    FaceIndex face;
+
+    /** 0, 1, 2 as seen from the minus side; see face_corners. */
+    std::uint8_t corner;
+
+    /** What the bond of the nodes did to the minus side until now, N. */
+    Vector3<double> force;
+  };
+
+  /**
+   * Keeps the nodes at incomplete vertices, those of ghost cells alone, as
+   * they are on the rank that knows all cells around them: the owner of the
+   * first cell here that has the vertex.
+   *
+   * Each step one message goes to each neighbour: the displacements of such
+   * nodes and, when a crack has come there, which corners have got another
+   * node and what their opening faces start with. A split takes effect with
+   * the drift, so that nothing has to be told in the midst of a step.
+   */
+  class GhostExchange
+  {
+  public:
+    /** Of a body that is not divided. */
+    GhostExchange() = default;
+
+    /**
+     * Finds who tells whom, and gives the corners of ghost cells the nodes
+     * that they have there. Collective.
+     *
+     * @param topology as separate_touching_pieces() leaves it.
+     */
+    GhostExchange(const Communicator &communicator, Topology &topology);
+
+    GhostExchange(const GhostExchange &) = delete;
+    GhostExchange &
+    operator=(const GhostExchange &) = delete;
+    GhostExchange(GhostExchange &&)  = default;
+    GhostExchange &
+    operator=(GhostExchange &&) = default;
+
+    /** From now on velocities go with the displacements: for damping. On all
+     * ranks or on none. */
+    void
+    include_velocities();
+
+    /**
+     * Sends what others need after the drift; does not wait.
+     *
+     * @param splits and
+     * @param openings of this step at complete vertices.
+     */
+    void
+    send(const Topology                   &topology,
+         const State                      &state,
+         const std::vector<NodeSplit>     &splits,
+         const std::vector<OpeningCorner> &openings);
+
+    /** What a crack has changed at incomplete vertices. */
+    struct Change
+    {
+      std::vector<VertexIndex>   vertices;
+      std::vector<OpeningCorner> openings;
+    };
+
+    /**
+     * Waits for what the others have sent, and follows: nodes, displacements,
+     * cells to be woken.
+     */
+    Change
+    receive(Topology &topology, State &state, Activity &activity);
+
+    /** Bytes that this rank sends in a step without cracks, and to how many
+     * others. */
+    std::size_t
+    n_bytes() const;
+
+    std::size_t
+    n_messages() const
+    {
+      return listeners.size();
+    }
+
+  private:
+    struct CellCorner
+    {
+      CellIndex    cell;
+      std::uint8_t corner;
+    };
+
+    /** The corners at one vertex among those of a partner. */
+    struct VertexCorners
+    {
+      VertexIndex   vertex;
+      std::uint32_t begin, end;
+    };
+
+    /**
+     * A rank that is told of nodes or that tells of them. Both sides number
+     * the corners and the nodes alike.
+     */
+    struct Partner
+    {
+      int rank;
+
+      /** Corners that the listener sees, vertex by vertex. */
+      std::vector<CellCorner> corners;
+
+      /** Number of the node that each corner has. */
+      std::vector<std::uint32_t> corner_nodes;
+
+      /** The nodes on this rank. */
+      std::vector<NodeIndex> nodes;
+
+      /** Ascending by vertex; only for listeners. */
+      std::vector<VertexCorners> vertices;
+
+      std::vector<char> buffer;
+      MPI_Request       request = MPI_REQUEST_NULL;
+    };
+
+    /** A corner that uses another node than before. */
+    struct ChangedCorner
+    {
+      std::uint32_t corner, node;
+    };
+
+    /** An OpeningCorner for a rank that has other face indices. */
+    struct ToldOpening
+    {
+      GlobalCellIndex minus_cell;
+      std::uint16_t   local_face, corner;
+      double          force[dim];
+    };
+
+    struct Header
+    {
+      std::uint32_t n_changed, n_openings;
+    };
+
+    void
+    ask(const Communicator &communicator, const Topology &topology);
+
+    /** Gives numbers to the nodes of a listener's corners at one vertex. */
+    static std::vector<ChangedCorner>
+    number_nodes(const Topology      &topology,
+                 Partner             &listener,
+                 const VertexCorners &at_vertex);
+
+    /**
+     * Gives a corner here the node that it has on the teller; returns the one
+     * that it had. A number that has not occurred yet means a new node.
+     */
+    static NodeIndex
+    change_node(Topology &topology, Partner &teller, ChangedCorner changed);
+
+    void
+    name_first_nodes(const Communicator &communicator, Topology &topology);
+
+    static std::vector<ToldOpening>
+    select_openings(const Topology                   &topology,
+                    const Partner                    &listener,
+                    const std::vector<OpeningCorner> &openings);
+
+    void
+    unpack_values(const char     *values,
+                  const Partner  &teller,
+                  const Topology &topology,
+                  State          &state,
+                  Activity       &activity) const;
+
+    std::size_t
+    bytes_per_node() const
+    {
+      return (has_velocities ? 2 : 1) * dim * sizeof(double);
+    }
+
+    MPI_Comm             communicator   = MPI_COMM_NULL;
+    bool                 has_velocities = false;
+    std::vector<Partner> listeners, tellers;
+  };
+} // namespace rift
+
+#endif

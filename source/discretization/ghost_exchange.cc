@@ -1,0 +1,405 @@
+#include <rift/discretization/ghost_exchange.h>
+#include <rift/mesh/mesh_data.h>
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+
+namespace rift
+{
+  namespace
+  {
+    /** A corner by names that all ranks understand. */
+    struct NamedCorner
+    {
+      GlobalCellIndex cell;
+      std::uint32_t   corner;
+    };
+
+    template <typename T>
+    void
+    append(std::vector<char> &buffer, const T *data, const std::size_t n)
+    {
+      const char *bytes = reinterpret_cast<const char *>(data);
+      buffer.insert(buffer.end(), bytes, bytes + n * sizeof(T));
+    }
+
+    template <typename T>
+    std::vector<T>
+    take(const char *&bytes, const std::size_t n)
+    {
+      std::vector<T> result(n);
+      if (n > 0)
+        std::memcpy(result.data(), bytes, n * sizeof(T));
+      bytes += n * sizeof(T);
+      return result;
+    }
+
+    /** Whether a face has a corner at which forces are summed here. */
+    bool
+    has_complete_vertex(const Topology    &topology,
+                        const CellIndex    cell,
+                        const unsigned int local_face)
+    {
+      for (const unsigned int corner : face_corners[local_face])
+        if (topology.is_complete(topology.vertex(cell, corner)))
+          return true;
+      return false;
+    }
+
+    template <typename List>
+    typename List::const_iterator
+    find_vertex(const List &list, const VertexIndex vertex)
+    {
+      const auto at =
+        std::lower_bound(list.begin(),
+                         list.end(),
+                         vertex,
+                         [](const auto &entry, const VertexIndex v) {
+                           return entry.vertex < v;
+                         });
+      return at != list.end() && at->vertex == vertex ? at : list.end();
+    }
+
+    /** Of all messages here: there is one per step and pair of ranks. */
+    constexpr int tag = 3;
+
+    template <typename T>
+    std::string
+    to_bytes(const std::vector<T> &data)
+    {
+      return {reinterpret_cast<const char *>(data.data()),
+              data.size() * sizeof(T)};
+    }
+
+    template <typename T>
+    std::vector<T>
+    from_bytes(const std::string &bytes)
+    {
+      const char *begin = bytes.data();
+      return take<T>(begin, bytes.size() / sizeof(T));
+    }
+  } // namespace
+
+  GhostExchange::GhostExchange(const Communicator &the_communicator,
+                               Topology           &topology)
+    : communicator(the_communicator.mpi())
+  {
+    if (the_communicator.size() == 1)
+      return;
+    ask(the_communicator, topology);
+    name_first_nodes(the_communicator, topology);
+  }
+
+  void
+  GhostExchange::include_velocities()
+  {
+    has_velocities = true;
+  }
+
+  void
+  GhostExchange::ask(const Communicator &the_communicator,
+                     const Topology     &topology)
+  {
+    std::map<int, std::vector<NamedCorner>> questions;
+    std::map<int, std::vector<CellCorner>>  asked;
+    for (VertexIndex vertex = 0; vertex < topology.n_vertices(); ++vertex)
+      {
+        const auto first = topology.vertex_cells_first(vertex);
+        const auto last  = topology.vertex_cells_last(vertex);
+        if (first == last || topology.is_complete(vertex))
+          continue;
+        const int teller = topology.cell_owners[*first];
+        for (auto cell = first; cell != last; ++cell)
+          {
+            const unsigned int corner =
+              topology.corner_at_vertex(*cell, vertex);
+            asked[teller].push_back({*cell, static_cast<std::uint8_t>(corner)});
+            questions[teller].push_back(
+              {topology.cell_global_indices[*cell], corner});
+          }
+      }
+    for (auto &[rank, corners] : asked)
+      {
+        Partner teller;
+        teller.rank    = rank;
+        teller.corners = std::move(corners);
+        // As yet without numbers.
+        teller.corner_nodes.assign(teller.corners.size(), invalid_index);
+        tellers.push_back(std::move(teller));
+      }
+
+    std::map<int, std::string> messages;
+    for (const auto &[rank, corners] : questions)
+      messages[rank] = to_bytes(corners);
+    for (const auto &[rank, message] : the_communicator.exchange(messages))
+      {
+        Partner listener;
+        listener.rank = rank;
+        for (const NamedCorner &named : from_bytes<NamedCorner>(message))
+          {
+            const CellIndex cell = topology.find_cell(named.cell);
+            const auto i = static_cast<std::uint32_t>(listener.corners.size());
+            const VertexIndex vertex = topology.vertex(cell, named.corner);
+            if (listener.vertices.empty() ||
+                listener.vertices.back().vertex != vertex)
+              listener.vertices.push_back({vertex, i, i});
+            ++listener.vertices.back().end;
+            listener.corners.push_back(
+              {cell, static_cast<std::uint8_t>(named.corner)});
+          }
+        listener.corner_nodes.assign(listener.corners.size(), invalid_index);
+        listeners.push_back(std::move(listener));
+      }
+  }
+
+  std::vector<GhostExchange::ChangedCorner>
+  GhostExchange::number_nodes(const Topology      &topology,
+                              Partner             &listener,
+                              const VertexCorners &at_vertex)
+  {
+    std::vector<ChangedCorner> changed;
+    const auto                 number = [&](const NodeIndex node) {
+      for (std::uint32_t i = at_vertex.begin; i < at_vertex.end; ++i)
+        {
+          const std::uint32_t known = listener.corner_nodes[i];
+          if (known != invalid_index && listener.nodes[known] == node)
+            return known;
+        }
+      listener.nodes.push_back(node);
+      return static_cast<std::uint32_t>(listener.nodes.size() - 1);
+    };
+    for (std::uint32_t i = at_vertex.begin; i < at_vertex.end; ++i)
+      {
+        const auto [cell, corner]  = listener.corners[i];
+        const std::uint32_t former = listener.corner_nodes[i];
+        const NodeIndex     node   = topology.node(cell, corner);
+        if (former != invalid_index && listener.nodes[former] == node)
+          continue;
+        listener.corner_nodes[i] = number(node);
+        changed.push_back({i, listener.corner_nodes[i]});
+      }
+    return changed;
+  }
+
+  NodeIndex
+  GhostExchange::change_node(Topology           &topology,
+                             Partner            &teller,
+                             const ChangedCorner changed)
+  {
+    const auto [cell, corner] = teller.corners[changed.corner];
+    NodeIndex &node =
+      topology.batches[cell / batch_size].corner[corner][cell % batch_size];
+    const NodeIndex old = node;
+    if (changed.node == teller.nodes.size())
+      {
+        teller.nodes.push_back(static_cast<NodeIndex>(topology.n_nodes()));
+        topology.node_vertices.push_back(topology.node_vertices[old]);
+      }
+    teller.corner_nodes[changed.corner] = changed.node;
+    node                                = teller.nodes[changed.node];
+    return old;
+  }
+
+  void
+  GhostExchange::name_first_nodes(const Communicator &the_communicator,
+                                  Topology           &topology)
+  {
+    std::map<int, std::string> answers;
+    for (Partner &listener : listeners)
+      {
+        for (const VertexCorners &at_vertex : listener.vertices)
+          number_nodes(topology, listener, at_vertex);
+        answers[listener.rank] = to_bytes(listener.corner_nodes);
+        // In this order they are found again.
+        std::sort(listener.vertices.begin(),
+                  listener.vertices.end(),
+                  [](const VertexCorners &a, const VertexCorners &b) {
+                    return a.vertex < b.vertex;
+                  });
+      }
+    const auto numbers = the_communicator.exchange(answers);
+    for (Partner &teller : tellers)
+      {
+        const auto of_corners =
+          from_bytes<std::uint32_t>(numbers.at(teller.rank));
+        VertexIndex last_vertex = invalid_index;
+        for (std::uint32_t i = 0; i < of_corners.size(); ++i)
+          {
+            const auto [cell, corner] = teller.corners[i];
+            const NodeIndex   node    = topology.node(cell, corner);
+            const VertexIndex vertex  = topology.node_vertices[node];
+            // The first one has been there from the start.
+            if (vertex != last_vertex)
+              teller.nodes.push_back(node);
+            last_vertex = vertex;
+            change_node(topology, teller, {i, of_corners[i]});
+          }
+      }
+  }
+
+  std::vector<GhostExchange::ToldOpening>
+  GhostExchange::select_openings(const Topology                   &topology,
+                                 const Partner                    &listener,
+                                 const std::vector<OpeningCorner> &openings)
+  {
+    std::vector<ToldOpening> told;
+    for (const OpeningCorner &opening : openings)
+      {
+        const Face        &face = topology.faces[opening.face];
+        const unsigned int corner =
+          face_corners[face.local_faces[0]][opening.corner];
+        const VertexIndex vertex = topology.vertex(face.cells[0], corner);
+        const auto        at     = find_vertex(listener.vertices, vertex);
+        if (at == listener.vertices.end())
+          continue;
+        // The listener has the face if it sees both of its cells.
+        const auto sees = [&](const CellIndex cell) {
+          return std::any_of(
+            listener.corners.begin() + at->begin,
+            listener.corners.begin() + at->end,
+            [cell](const CellCorner &c) { return c.cell == cell; });
+        };
+        if (sees(face.cells[0]) && sees(face.cells[1]))
+          told.push_back(
+            {topology.cell_global_indices[face.cells[0]],
+             face.local_faces[0],
+             opening.corner,
+             {opening.force[0], opening.force[1], opening.force[2]}});
+      }
+    return told;
+  }
+
+  void
+  GhostExchange::send(const Topology                   &topology,
+                      const State                      &state,
+                      const std::vector<NodeSplit>     &splits,
+                      const std::vector<OpeningCorner> &openings)
+  {
+    for (Partner &teller : tellers)
+      {
+        // A corner changes at most once per step, and has three faces.
+        teller.buffer.resize(sizeof(Header) +
+                             teller.corners.size() *
+                               (sizeof(ChangedCorner) +
+                                3 * sizeof(ToldOpening) + bytes_per_node()));
+        MPI_Irecv(teller.buffer.data(),
+                  static_cast<int>(teller.buffer.size()),
+                  MPI_BYTE,
+                  teller.rank,
+                  tag,
+                  communicator,
+                  &teller.request);
+      }
+    for (Partner &listener : listeners)
+      {
+        std::vector<ChangedCorner> changed;
+        for (const NodeSplit &split : splits)
+          {
+            const VertexIndex vertex = topology.node_vertices[split.parts[0]];
+            const auto        at     = find_vertex(listener.vertices, vertex);
+            if (at == listener.vertices.end())
+              continue;
+            const auto here = number_nodes(topology, listener, *at);
+            changed.insert(changed.end(), here.begin(), here.end());
+          }
+        const auto         told = select_openings(topology, listener, openings);
+        const Header       header{static_cast<std::uint32_t>(changed.size()),
+                            static_cast<std::uint32_t>(told.size())};
+        std::vector<char> &buffer = listener.buffer;
+        buffer.clear();
+        append(buffer, &header, 1);
+        append(buffer, changed.data(), changed.size());
+        append(buffer, told.data(), told.size());
+        for (const NodeIndex node : listener.nodes)
+          {
+            append(buffer, state.displacement[node].v, dim);
+            if (has_velocities)
+              append(buffer, state.velocity[node].v, dim);
+          }
+        MPI_Isend(buffer.data(),
+                  static_cast<int>(buffer.size()),
+                  MPI_BYTE,
+                  listener.rank,
+                  tag,
+                  communicator,
+                  &listener.request);
+      }
+  }
+
+  GhostExchange::Change
+  GhostExchange::receive(Topology &topology, State &state, Activity &activity)
+  {
+    Change         change;
+    TopologyChange new_nodes;
+    for (Partner &teller : tellers)
+      {
+        MPI_Wait(&teller.request, MPI_STATUS_IGNORE);
+        const char  *bytes  = teller.buffer.data();
+        const Header header = take<Header>(bytes, 1)[0];
+        for (const ChangedCorner changed :
+             take<ChangedCorner>(bytes, header.n_changed))
+          {
+            const std::size_t n_before = topology.n_nodes();
+            const NodeIndex   old      = change_node(topology, teller, changed);
+            if (topology.n_nodes() > n_before)
+              new_nodes.splits.push_back(
+                {{old, static_cast<NodeIndex>(n_before)}});
+            change.vertices.push_back(topology.node_vertices[old]);
+          }
+        for (const ToldOpening &told :
+             take<ToldOpening>(bytes, header.n_openings))
+          {
+            const CellIndex cell  = topology.find_cell(told.minus_cell);
+            const FaceIndex index = topology.cell_faces[cell][told.local_face];
+            if (has_complete_vertex(topology, cell, told.local_face))
+              change.openings.push_back(
+                {index,
+                 static_cast<std::uint8_t>(told.corner),
+                 {{told.force[0], told.force[1], told.force[2]}}});
+          }
+        state.grow(new_nodes);
+        for (const NodeSplit &split : new_nodes.splits)
+          state.mass[split.parts[1]] = state.mass[split.parts[0]];
+        new_nodes.splits.clear();
+        activity.grow(topology.n_nodes());
+        unpack_values(bytes, teller, topology, state, activity);
+      }
+    for (Partner &listener : listeners)
+      MPI_Wait(&listener.request, MPI_STATUS_IGNORE);
+    return change;
+  }
+
+  void
+  GhostExchange::unpack_values(const char     *values,
+                               const Partner  &teller,
+                               const Topology &topology,
+                               State          &state,
+                               Activity       &activity) const
+  {
+    for (const NodeIndex node : teller.nodes)
+      {
+        NodalVector &u = state.displacement[node];
+        // What has moved once has woken its cells.
+        const bool was_at_rest = u[0] == 0 && u[1] == 0 && u[2] == 0;
+        std::memcpy(u.v, values, dim * sizeof(double));
+        values += dim * sizeof(double);
+        if (was_at_rest && (u[0] != 0 || u[1] != 0 || u[2] != 0))
+          activity.wake_node(topology, node);
+        if (has_velocities)
+          {
+            std::memcpy(state.velocity[node].v, values, dim * sizeof(double));
+            values += dim * sizeof(double);
+          }
+      }
+  }
+
+  std::size_t
+  GhostExchange::n_bytes() const
+  {
+    std::size_t sum = 0;
+    for (const Partner &listener : listeners)
+      sum += sizeof(Header) + listener.nodes.size() * bytes_per_node();
+    return sum;
+  }
+} // namespace rift
