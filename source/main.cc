@@ -52,6 +52,15 @@ namespace
       std::cerr << "rift: error: " << message << std::endl;
     return static_cast<int>(exit_code);
   }
+  /** For what has happened on this rank alone: the others may wait for it. */
+  int
+  give_up(const std::string &message)
+  {
+    const int exit_code = complain(message, rift::ExitCode::run_error, true);
+    if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+      MPI_Abort(MPI_COMM_WORLD, exit_code);
+    return exit_code;
+  }
 } // namespace
 
 int
@@ -72,18 +81,14 @@ main(int argc, char **argv)
     }
   catch (const std::bad_alloc &)
     {
-      return complain("the memory of this machine is too small for this "
-                      "scene. Use larger elements.",
-                      rift::ExitCode::run_error,
-                      speaks);
+      return give_up("the memory of this machine is too small for this "
+                     "scene. Use larger elements.");
     }
   catch (const std::exception &error)
     {
-      return complain(std::string("rift has failed in a way that it does not "
-                                  "foresee. Please report this: ") +
-                        error.what(),
-                      rift::ExitCode::run_error,
-                      speaks);
+      return give_up(std::string("rift has failed in a way that it does not "
+                                 "foresee. Please report this: ") +
+                     error.what());
     }
   return static_cast<int>(rift::ExitCode::done);
 }

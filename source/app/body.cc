@@ -150,7 +150,7 @@ namespace rift
     void
     set_initial_velocity(Body &body)
     {
-      auto &[topology, reference, state] = body.discretization;
+      auto &[topology, reference, state, exchange] = body.discretization;
       for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
         {
           const auto &material    = body.materials[topology.material(cell)];

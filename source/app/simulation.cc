@@ -65,13 +65,12 @@ namespace rift
     : parameters(parameters)
     , log(log)
     , mesh(make_mesh(parameters, communicator))
-    , body(make_body(parameters,
-                     mesh,
-                     partition_cells(mesh,
-                                     communicator.size(),
-                                     parameters.mesh.partition),
-                     communicator,
-                     log))
+    , body(make_body(
+        parameters,
+        mesh,
+        partition_cells(mesh, communicator.size(), parameters.mesh.partition),
+        communicator,
+        log))
     , densities(densities_of(body.materials))
     , laws(laws_of(body.materials))
     , internal_force(body.discretization.topology,
@@ -315,7 +314,7 @@ namespace rift
     if (faces.empty())
       return {};
     auto &[topology, reference, state, exchange] = body.discretization;
-    TopologyChange change = split_nodes(topology, faces);
+    TopologyChange change                        = split_nodes(topology, faces);
     fracture->n_inserted += faces.size();
     if (change.splits.empty())
       return change;
@@ -466,11 +465,13 @@ namespace rift
     failure                    = Failure{
       state().step,
       cell,
-      "cell " + std::to_string(cell) + " of " + body.materials[topology().material(failed.cell)].name + " at " +
-      place_text(centre) + " has " + short_text(failed.volume_ratio) +
-      " of its volume; below " + to_text(InternalForce::smallest_volume_ratio) +
-      " the elastic law has no meaning. At " + moment_text() +
-      ". Choose a smaller time step or safety factor, or a weaker load."};
+      "cell " + std::to_string(cell) + " of " +
+        body.materials[topology().material(failed.cell)].name + " at " +
+        place_text(centre) + " has " + short_text(failed.volume_ratio) +
+        " of its volume; below " +
+        to_text(InternalForce::smallest_volume_ratio) +
+        " the elastic law has no meaning. At " + moment_text() +
+        ". Choose a smaller time step or safety factor, or a weaker load."};
   }
 
   void
@@ -489,7 +490,7 @@ namespace rift
       {
         const double seconds =
           std::chrono::duration<double>(now - last_agreement).count();
-        const double steps = state().step - step_of_last_agreement;
+        const double steps     = state().step - step_of_last_agreement;
         numbers[steps_to_next] = static_cast<std::int64_t>(
           std::clamp(steps * seconds_between_agreements / seconds,
                      1.,
@@ -524,16 +525,18 @@ namespace rift
   validate_scene(std::ostream &out, const Parameters &parameters)
   {
     print_summary(out, parameters);
-    Log log(&out);
-    Simulation(parameters, log);
+    const Communicator communicator(MPI_COMM_WORLD);
+    Log                log(communicator.is_root() ? &out : nullptr);
+    Simulation(parameters, log, communicator);
   }
 
   void
   run_simulation(const Parameters &parameters)
   {
-    Log log(&std::cout, is_terminal());
+    const Communicator communicator(MPI_COMM_WORLD);
+    Log log(communicator.is_root() ? &std::cout : nullptr, is_terminal());
     if (!parameters.title.empty())
       log.write(parameters.title);
-    Simulation(parameters, log).run();
+    Simulation(parameters, log, communicator).run();
   }
 } // namespace rift

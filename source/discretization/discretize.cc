@@ -36,8 +36,8 @@ namespace rift
     Topology
     make_topology(
       const std::vector<std::pair<GlobalCellIndex, CellIterator>> &cells,
-      const Triangulation                                         &triangulation,
-      const int                                                    own_rank)
+      const Triangulation &triangulation,
+      const int            own_rank)
     {
       // Vertices in the order in which cells need them.
       std::vector<VertexIndex> numbers(triangulation.n_vertices(),
@@ -82,13 +82,12 @@ namespace rift
     dof_handler.distribute_dofs(fe);
 
     const auto     cells = sorted_cells(dof_handler);
-    Discretization result{make_topology(cells,
-                                        triangulation,
-                                        communicator.rank()),
-                          {},
-                          {},
-                          {}};
-    Topology      &topology = result.topology;
+    Discretization result{
+      make_topology(cells, triangulation, communicator.rank()),
+      {},
+      {},
+      {}};
+    Topology &topology = result.topology;
 
     separate_touching_pieces(topology);
     result.exchange = GhostExchange(communicator, topology);

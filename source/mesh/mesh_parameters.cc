@@ -169,8 +169,8 @@ namespace rift
     result.cylinder_radius = prm.get_double("Cylinder radius");
     result.cylinder_length = prm.get_double("Cylinder length");
     result.material        = prm.get("Material");
-    result.partition = prm.get("Partition") == "metis" ? Partition::metis :
-                                                         Partition::curve;
+    result.partition =
+      prm.get("Partition") == "metis" ? Partition::metis : Partition::curve;
     prm.leave_subsection();
     return result;
   }

@@ -14,8 +14,7 @@ namespace rift
     std::vector<int>
     cut_curve(const std::vector<double> &weights, const int n_ranks)
     {
-      const double total =
-        std::accumulate(weights.begin(), weights.end(), 0.);
+      const double total = std::accumulate(weights.begin(), weights.end(), 0.);
       std::vector<int> owners;
       owners.reserve(weights.size());
       double sum = 0;
@@ -56,8 +55,8 @@ namespace rift
       const double largest = *std::max_element(weights.begin(), weights.end());
       std::vector<unsigned int> counts, owners(n_cells);
       for (const double weight : weights)
-        counts.push_back(
-          1 + static_cast<unsigned int>(1000 * weight / largest));
+        counts.push_back(1 +
+                         static_cast<unsigned int>(1000 * weight / largest));
       dealii::SparsityTools::partition(graph, counts, n_ranks, owners);
       return {owners.begin(), owners.end()};
     }

@@ -37,7 +37,12 @@ namespace
         mesh.cell_tags.push_back(mesh.cells.size());
         mesh.cell_materials.push_back(cell.material);
       }
-    return discretize(*make_triangulation(mesh, MPI_COMM_WORLD), densities);
+    return discretize(
+      *make_triangulation(mesh,
+                          std::vector<int>(mesh.cells.size(), 0),
+                          MPI_COMM_SELF),
+      densities,
+      Communicator());
   }
 
   class InitialiseMPI : public testing::Environment

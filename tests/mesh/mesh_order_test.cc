@@ -3,6 +3,7 @@
 #include <rift/mesh/cell_ordering.h>
 #include <rift/mesh/gmsh_reader.h>
 #include <rift/mesh/mesh_checks.h>
+#include <rift/mesh/partition.h>
 #include <rift/mesh/triangulation.h>
 
 #include <deal.II/base/mpi.h>
@@ -211,8 +212,14 @@ TEST(Triangulation, KeepsCellsVerticesAndNames)
   const MPI_Comm     communicator = MPI_COMM_WORLD;
   const unsigned int rank =
     dealii::Utilities::MPI::this_mpi_process(communicator);
+  const auto owners =
+    partition_cells(mesh,
+                    dealii::Utilities::MPI::n_mpi_processes(communicator),
+                    MeshParameters::Partition::curve);
   const auto triangulation =
-    make_triangulation(rank == 0 ? mesh : MeshData(), communicator);
+    make_triangulation(rank == 0 ? mesh : MeshData(),
+                       rank == 0 ? owners : std::vector<int>(),
+                       communicator);
 
   std::map<std::pair<std::size_t, unsigned int>, unsigned int> boundary_ids;
   for (const auto &face : mesh.boundary_faces)
@@ -265,8 +272,11 @@ TEST(Triangulation, FacesWithoutNameHaveBoundaryIdZero)
   MeshData mesh = make_mesh(0.5);
   order_cells(mesh);
   mesh.boundary_faces.resize(1);
-  const auto   triangulation = make_triangulation(mesh, MPI_COMM_SELF);
-  unsigned int n_named       = 0;
+  const auto triangulation =
+    make_triangulation(mesh,
+                       std::vector<int>(mesh.cells.size(), 0),
+                       MPI_COMM_SELF);
+  unsigned int n_named = 0;
   for (const auto &cell : triangulation->active_cell_iterators())
     for (const auto f : cell->face_indices())
       if (cell->at_boundary(f))

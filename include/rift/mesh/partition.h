@@ -21,10 +21,10 @@ namespace rift
    * @return the rank of each cell.
    */
   std::vector<int>
-  partition_cells(const MeshData                &mesh,
-                  int                            n_ranks,
-                  MeshParameters::Partition      method,
-                  const std::vector<double>     &weights = {});
+  partition_cells(const MeshData            &mesh,
+                  int                        n_ranks,
+                  MeshParameters::Partition  method,
+                  const std::vector<double> &weights = {});
 } // namespace rift
 
 #endif
