@@ -143,7 +143,7 @@ namespace rift
                   sent[rank],
                   MPI_BYTE,
                   rank,
-                  tag,
+                  exchange_tag,
                   communicator,
                   &requests.back());
       }
