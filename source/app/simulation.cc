@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <limits>
 
 namespace rift
 {
@@ -156,7 +157,8 @@ namespace rift
            0});
     critical = critical_time_step(body.discretization.topology,
                                   body.discretization.reference,
-                                  limits);
+                                  limits,
+                                  body.communicator);
 
     const TimeParameters &time = parameters.time;
     dt                         = time.time_step > 0 ? time.time_step :
@@ -402,19 +404,38 @@ namespace rift
   std::string
   Simulation::fastest_node_text() const
   {
-    NodeIndex fastest = 0;
-    double    square  = -1;
-    for (NodeIndex node = 0; node < topology().n_nodes(); ++node)
-      {
-        const Vector3<double> v = state().velocity[node].vector();
-        if (!(dot(v, v) <= square))
-          {
-            square  = dot(v, v);
-            fastest = node;
-          }
-      }
-    return "the fastest node moves with " + short_text(std::sqrt(square)) +
-           " m/s at " + place_text(state().position(fastest));
+    struct Corner
+    {
+      double          square;
+      Vector3<double> position;
+      GlobalCellIndex cell;
+      unsigned int    corner;
+    };
+    const auto is_faster = [](const Corner &a, const Corner &b) {
+      return a.square > b.square ||
+             (a.square == b.square && std::make_pair(a.cell, a.corner) <
+                                        std::make_pair(b.cell, b.corner));
+    };
+    Corner fastest{-1, {{0, 0, 0}}, invalid_index, 0};
+    for (CellIndex cell = 0; cell < topology().n_cell_slots(); ++cell)
+      for (unsigned int c = 0; c < n_corners && topology().owns_cell(cell); ++c)
+        {
+          const NodeIndex       node = topology().node(cell, c);
+          const Vector3<double> v    = state().velocity[node].vector();
+          // What is not a number is faster than all numbers.
+          const Corner corner{std::isnan(dot(v, v)) ?
+                                std::numeric_limits<double>::infinity() :
+                                dot(v, v),
+                              state().position(node),
+                              topology().cell_global_indices[cell],
+                              c};
+          if (is_faster(corner, fastest))
+            fastest = corner;
+        }
+    fastest = body.communicator.first_of_ranks(fastest, is_faster);
+    return "the fastest node moves with " +
+           short_text(std::sqrt(fastest.square)) + " m/s at " +
+           place_text(fastest.position);
   }
 
   void

@@ -1,6 +1,7 @@
 #include <rift/solid/cell_frequency.h>
 #include <rift/time_integration/critical_time_step.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace rift
@@ -18,82 +19,93 @@ namespace rift
       return result;
     }
 
-    /** Calls f(cell, its batch, its lane, the limits of its material). */
-    template <typename Function>
-    void
-    for_each_cell(const Topology                    &topology,
-                  const ReferenceCellData           &reference,
-                  const std::vector<MaterialLimits> &limits,
-                  const Function                    &f)
+    /** A cell and its frequency, 1/s, or the square of it. */
+    struct FastCell
     {
-      for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
-        if (!topology.is_padding(cell))
-          f(cell,
-            reference[cell / batch_size],
-            cell % batch_size,
-            limits[topology.material(cell)]);
+      double          frequency;
+      GlobalCellIndex cell;
+      std::uint16_t   material;
+    };
+
+    /**
+     * The fastest cell of all ranks; the first of several.
+     *
+     * @param frequency(its batch, its lane, the limits of its material)
+     */
+    template <typename Function>
+    FastCell
+    find_fastest_cell(const Topology                    &topology,
+                      const ReferenceCellData           &reference,
+                      const std::vector<MaterialLimits> &limits,
+                      const Communicator                &communicator,
+                      const Function                    &frequency)
+    {
+      const auto is_faster = [](const FastCell &a, const FastCell &b) {
+        return a.frequency > b.frequency ||
+               (a.frequency == b.frequency && a.cell < b.cell);
+      };
+      FastCell fastest{0, invalid_index, 0};
+      for (CellIndex i = 0; i < topology.n_cell_slots(); ++i)
+        if (topology.owns_cell(i))
+          {
+            const std::uint16_t material = topology.material(i);
+            const FastCell      cell     = {frequency(reference[i / batch_size],
+                                             i % batch_size,
+                                             limits[material]),
+                                            topology.cell_global_indices[i],
+                                            material};
+            if (is_faster(cell, fastest))
+              fastest = cell;
+          }
+      return communicator.first_of_ranks(fastest, is_faster);
     }
   } // namespace
 
   CriticalTimeStep
   critical_time_step(const Topology                    &topology,
                      const ReferenceCellData           &reference,
-                     const std::vector<MaterialLimits> &limits)
+                     const std::vector<MaterialLimits> &limits,
+                     const Communicator                &communicator)
   {
-    CriticalTimeStep result{0, invalid_index, 0, ""};
-    for_each_cell(
-      topology,
-      reference,
-      limits,
-      [&result](const CellIndex       cell,
-                const ReferenceBatch &batch,
-                const unsigned int    lane,
-                const MaterialLimits &of) {
-        // Three cohesive faces meet at each corner of a loose
-        // cell.
-        const double frequency_squared =
-          largest_frequency_squared(batch, lane, of.stiffness, of.density) *
-          (1 + 3 * of.cohesive_stiffness_factor);
-        if (frequency_squared > result.frequency_squared)
-          {
-            result.frequency_squared = frequency_squared;
-            result.cell              = cell;
-          }
-      });
+    const auto find_fastest = [&](const auto &frequency) {
+      return find_fastest_cell(topology,
+                               reference,
+                               limits,
+                               communicator,
+                               frequency);
+    };
+    const FastCell elastic = find_fastest([](const ReferenceBatch &batch,
+                                             const unsigned int    lane,
+                                             const MaterialLimits &of) {
+      // Three cohesive faces meet at each corner of a loose cell.
+      return largest_frequency_squared(batch, lane, of.stiffness, of.density) *
+             (1 + 3 * of.cohesive_stiffness_factor);
+    });
     // Elastic branches may bring any breakable cell up to this frequency,
     // whatever its own is, so that viscosity must be stable together with it.
-    const double omega = std::sqrt(result.frequency_squared);
-    result.time_step   = 2 / omega;
-    for_each_cell(topology,
-                  reference,
-                  limits,
-                  [&result, omega](const CellIndex       cell,
-                                   const ReferenceBatch &batch,
-                                   const unsigned int    lane,
-                                   const MaterialLimits &of) {
-                    if (of.viscosity == 0)
-                      return;
-                    const double rate =
-                      largest_frequency_squared(batch,
-                                                lane,
-                                                viscosity_matrix(of.viscosity),
-                                                of.density);
-                    const double ratio = rate / (2 * omega);
-                    const double bound =
-                      2 / (omega * (std::sqrt(1 + ratio * ratio) + ratio));
-                    if (bound < result.time_step)
-                      {
-                        result.time_step = bound;
-                        result.cell      = cell;
-                      }
-                  });
-    const MaterialLimits &of = limits[topology.material(result.cell)];
-    result.limited_by =
-      "cell " + std::to_string(topology.cell_global_indices[result.cell]) +
-      " of " + of.name +
-      (of.cohesive_stiffness_factor > 0 ? ", cohesive stiffness included" :
-                                          "") +
-      (of.viscosity > 0 ? ", viscosity included" : "");
-    return result;
+    const double   omega   = std::sqrt(elastic.frequency);
+    const FastCell viscous = find_fastest([omega](const ReferenceBatch &batch,
+                                                  const unsigned int    lane,
+                                                  const MaterialLimits &of) {
+      if (of.viscosity == 0)
+        return 0.;
+      const double rate =
+        largest_frequency_squared(batch,
+                                  lane,
+                                  viscosity_matrix(of.viscosity),
+                                  of.density);
+      const double ratio = rate / (2 * omega);
+      return omega * (std::sqrt(1 + ratio * ratio) + ratio);
+    });
+
+    const FastCell &fastest  = viscous.frequency > omega ? viscous : elastic;
+    const MaterialLimits &of = limits[fastest.material];
+    return {2 / std::max(omega, viscous.frequency),
+            elastic.frequency,
+            "cell " + std::to_string(fastest.cell) + " of " + of.name +
+              (of.cohesive_stiffness_factor > 0 ?
+                 ", cohesive stiffness included" :
+                 "") +
+              (of.viscosity > 0 ? ", viscosity included" : "")};
   }
 } // namespace rift

@@ -60,6 +60,29 @@ TEST(Communicator, BytesFromOneRankToAnother)
     }
 }
 
+TEST(Communicator, FirstOfRanks)
+{
+  const Communicator all(MPI_COMM_WORLD);
+  struct Place
+  {
+    double       value;
+    unsigned int name;
+  };
+  const auto comes_before = [](const Place &a, const Place &b) {
+    return a.value > b.value || (a.value == b.value && a.name < b.name);
+  };
+  for (int best = 0; best < all.size(); ++best)
+    {
+      const Place first =
+        all.first_of_ranks(Place{all.rank() == best ? 2. : 1., 7u + all.rank()},
+                           comes_before);
+      EXPECT_EQ(first.value, 2);
+      EXPECT_EQ(first.name, 7u + best);
+    }
+  EXPECT_EQ(all.first_of_ranks(Place{1, 9u - all.rank()}, comes_before).name,
+            10u - all.size());
+}
+
 TEST(Communicator, AllThrowTheErrorOfTheLowestRank)
 {
   const Communicator all(MPI_COMM_WORLD);

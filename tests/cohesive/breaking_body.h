@@ -96,7 +96,10 @@ namespace rift::test
                           material.density,
                           0,
                           material.breakable ? stiffness_factor : 0});
-      return critical_time_step(topology, discrete.reference, limits);
+      return critical_time_step(topology,
+                                discrete.reference,
+                                limits,
+                                Communicator());
     }
 
     /** Cuts faces and has everything follow. */

@@ -64,7 +64,8 @@ namespace rift::test
                                   stiffness_matrix(make_elasticity(material)),
                                   material.density,
                                   viscosity,
-                                  0}})
+                                  0}},
+                                Communicator())
         .time_step;
     }
 

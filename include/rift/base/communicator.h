@@ -4,9 +4,11 @@
 #include <mpi.h>
 
 #include <cstdint>
+#include <cstring>
 #include <functional>
 #include <map>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace rift
@@ -74,6 +76,29 @@ namespace rift
     /** The bytes of all ranks, on all ranks, by rank. Collective. */
     std::vector<std::string>
     all_gather(const std::string &bytes) const;
+
+    /**
+     * The object of all ranks that comes first, on all ranks. Collective.
+     *
+     * @tparam T trivially copyable.
+     * @param comes_before(a, b) must tell any two different objects apart.
+     */
+    template <typename T, typename Function>
+    T
+    first_of_ranks(const T &own, const Function &comes_before) const
+    {
+      static_assert(std::is_trivially_copyable_v<T>);
+      T first = own;
+      for (const std::string &bytes :
+           all_gather({reinterpret_cast<const char *>(&own), sizeof(T)}))
+        {
+          T other;
+          std::memcpy(&other, bytes.data(), sizeof(T));
+          if (comes_before(other, first))
+            first = other;
+        }
+      return first;
+    }
 
     /** The bytes of all ranks on rank 0; empty elsewhere. Collective. */
     std::vector<std::string>

@@ -1,6 +1,7 @@
 #ifndef rift_time_integration_critical_time_step_h
 #define rift_time_integration_critical_time_step_h
 
+#include <rift/base/communicator.h>
 #include <rift/discretization/reference_cell_data.h>
 #include <rift/material/elasticity.h>
 
@@ -24,8 +25,7 @@ namespace rift
   /** The largest safe time step and what limits it. */
   struct CriticalTimeStep
   {
-    double    time_step;
-    CellIndex cell;
+    double time_step;
 
     /**
      * Square of the largest frequency of any loose cell with its cohesive
@@ -41,12 +41,13 @@ namespace rift
    * A time step at which central differences are stable whatever breaks: no
    * frequency of the assembled body exceeds the largest of its loose cells,
    * each with the cohesive faces that may come to it (doc/theory.md, eq. 21).
-   * Viscosity shortens the step further.
+   * Viscosity shortens the step further. Collective.
    */
   CriticalTimeStep
   critical_time_step(const Topology                    &topology,
                      const ReferenceCellData           &reference,
-                     const std::vector<MaterialLimits> &limits);
+                     const std::vector<MaterialLimits> &limits,
+                     const Communicator                &communicator);
 } // namespace rift
 
 #endif
