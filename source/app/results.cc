@@ -179,8 +179,6 @@ namespace rift
     summary.energy_residual_relative =
       snapshot.ledger.largest_relative_residual();
     summary.state_hash = state_hash(d.topology, d.state);
-    if (snapshot.cohesive_force)
-      summary.faces_broken = snapshot.cohesive_force->n_failed();
     write_summary(path("summary.json"), summary);
   }
 } // namespace rift

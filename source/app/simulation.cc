@@ -211,18 +211,20 @@ namespace rift
     summary.cell_steps_per_second =
       topology().n_cells() * state().step / (timer.total() - wall_start);
     summary.wall_seconds_by_stage = timer.seconds();
+    FaceCounts faces;
     if (fracture)
-      summary.faces_inserted = fracture->n_inserted;
+      faces = fracture->force.count_faces(body.communicator);
+    summary.faces_inserted = faces.inserted;
+    summary.faces_broken   = faces.failed;
     results.finish(snapshot(), summary);
-    log.write("Done: " + std::to_string(state().step) + " steps in " +
-              duration_text(timer.total()) + "; " +
-              std::to_string(summary.faces_inserted) +
-              " faces cut, largest residual of the energy ledger " +
-              short_text(ledger.largest_relative_residual()) +
-              " of the energy put in");
-    if (fracture && fracture->force.n_too_short() > 0)
-      log.write("WARNING: " + std::to_string(fracture->force.n_too_short()) +
-                " of " + std::to_string(fracture->force.faces().size()) +
+    log.write(
+      "Done: " + std::to_string(state().step) + " steps in " +
+      duration_text(timer.total()) + "; " + std::to_string(faces.inserted) +
+      " faces cut, largest residual of the energy ledger " +
+      short_text(ledger.largest_relative_residual()) + " of the energy put in");
+    if (faces.too_short > 0)
+      log.write("WARNING: " + std::to_string(faces.too_short) + " of " +
+                std::to_string(faces.opened) +
                 " opened faces need more than their fracture energy: the "
                 "elements are too large for these strengths and fracture "
                 "energies (doc/theory.md, section 4)");
@@ -317,7 +319,6 @@ namespace rift
       return {};
     auto &[topology, reference, state, exchange] = body.discretization;
     TopologyChange change                        = split_nodes(topology, faces);
-    fracture->n_inserted += faces.size();
     if (change.splits.empty())
       return change;
 
@@ -368,25 +369,25 @@ namespace rift
   void
   Simulation::balance_energy()
   {
-    Energies energies;
-    energies.kinetic = kinetic_energy(state(), dt);
-    energies.strain  = internal_force.strain_energy(state());
+    EnergySums sums;
+    sums.kinetic = kinetic_energy(topology(), state(), dt);
+    sums.strain  = internal_force.strain_energy(state());
     if (fracture)
       {
         const CohesiveEnergy cohesive = fracture->force.energy();
-        energies.cohesive             = cohesive.recoverable;
-        energies.fracture             = cohesive.fracture;
-        energies.friction             = cohesive.friction;
+        sums.cohesive                 = cohesive.recoverable;
+        sums.fracture                 = cohesive.fracture;
+        sums.friction                 = cohesive.friction;
       }
     if (damping)
-      energies.damping = damping->dissipated();
-    for (const SurfaceLoad &load : surface_loads)
-      energies.loads += load.work();
+      sums.damping = damping->work().sum();
+    for (SurfaceLoad &load : surface_loads)
+      sums.loads.add(load.work().sum());
     if (prescribed_motion)
-      energies.loads += prescribed_motion->work();
+      sums.loads.add(prescribed_motion->work().sum());
     if (body_force)
-      energies.loads += body_force->work(state());
-    ledger.enter(energies);
+      sums.loads.add(body_force->work(topology(), state()));
+    ledger.enter(sums.total(body.communicator));
 
     if (!(std::abs(ledger.relative_residual()) <=
           parameters.time.largest_residual))

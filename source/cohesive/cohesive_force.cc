@@ -117,41 +117,66 @@ namespace rift
       return;
     info.failure_time               = time;
     topology.face_states[info.face] = FaceState::broken;
-    ++failed;
   }
 
   CohesiveEnergy
   CohesiveForce::energy() const
   {
-    Simd fracture{}, friction{}, recoverable{};
+    CohesiveEnergy energy;
     for (std::size_t b = 0; b < cohesive_faces.batches.size(); ++b)
       {
         const CohesiveBatch &batch = cohesive_faces.batches[b];
+        Simd                 elastic{};
         for (unsigned int q = 0; q < n_face_points; ++q)
           {
             const Vector3<Simd> &t = batch.points[q].traction;
-            recoverable += (.5 * quadrature.weight[q]) * batch.area *
-                           dot(t, t) / batch.constants.stiffness;
+            elastic += (.5 * quadrature.weight[q]) * batch.area * dot(t, t) /
+                       batch.constants.stiffness;
           }
-        fracture += batch.fracture;
-        friction += batch.friction;
-        // What the elastic branch was given at the start belongs to the
-        // recoverable energy until the face has failed.
         for (unsigned int lane = 0; lane < batch.n_faces; ++lane)
           {
-            const bool has_failed =
-              cohesive_faces.infos[b * batch_size + lane].failure_time >= 0;
-            (has_failed ? fracture : recoverable)[lane] -= batch.initial[lane];
+            const auto &info = cohesive_faces.infos[b * batch_size + lane];
+            if (!topology.owns_face(info.face))
+              continue;
+            energy.recoverable.add(elastic[lane]);
+            energy.fracture.add(batch.fracture[lane]);
+            energy.friction.add(batch.friction[lane]);
+            // What the elastic branch was given at the start belongs to the
+            // recoverable energy until the face has failed.
+            (info.failure_time >= 0 ? energy.fracture : energy.recoverable)
+              .add(-batch.initial[lane]);
           }
       }
-    CohesiveEnergy energy;
-    for (unsigned int lane = 0; lane < batch_size; ++lane)
-      {
-        energy.recoverable += recoverable[lane];
-        energy.fracture += fracture[lane];
-        energy.friction += friction[lane];
-      }
     return energy;
+  }
+
+  FaceCounts
+  CohesiveForce::count_faces(const Communicator &communicator) const
+  {
+    std::int64_t inserted = 0, opened = 0, failed = 0, too_short = 0;
+    for (FaceIndex face = 0; face < topology.faces.size(); ++face)
+      if (topology.owns_face(face) &&
+          topology.face_states[face] != FaceState::intact)
+        ++inserted;
+    for (std::size_t i = 0; i < cohesive_faces.size(); ++i)
+      {
+        const CohesiveFaceInfo &info = cohesive_faces.infos[i];
+        if (!topology.owns_face(info.face))
+          continue;
+        const CohesiveBatch &batch = cohesive_faces.batches[i / batch_size];
+        ++opened;
+        if (info.failure_time >= 0)
+          ++failed;
+        if (is_separation_too_short(strengths.strength(info.face),
+                                    batch.constants.stiffness[i % batch_size]))
+          ++too_short;
+      }
+    std::vector<std::int64_t> numbers = {inserted, opened, failed, too_short};
+    communicator.sum(numbers);
+    const auto number = [&numbers](const std::size_t i) {
+      return static_cast<std::uint64_t>(numbers[i]);
+    };
+    return {number(0), number(1), number(2), number(3)};
   }
 
   CohesiveForce::PointState

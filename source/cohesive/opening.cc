@@ -138,7 +138,6 @@ namespace rift
     constants.tan_friction_angle[lane] = strength.tan_friction_angle;
     for (unsigned int q = 0; q < n_face_points; ++q)
       set_point(batch, q, lane, make_cohesive_point(strength, slope));
-    too_short += is_separation_too_short(strength, slope) ? 1 : 0;
     batch.n_faces = lane + 1;
   }
 

@@ -6,6 +6,7 @@ namespace rift
                                      std::vector<Boundary> the_boundaries)
     : topology(topology)
     , boundaries(std::move(the_boundaries))
+    , work_done(topology)
   {
     for (const Boundary &boundary : boundaries)
       for (unsigned int d = 0; d < dim; ++d)
@@ -75,20 +76,18 @@ namespace rift
     for (const TimeFunction &function : functions)
       targets.push_back(function(state.time + .5 * time_step));
 
-    double before = 0, after = 0;
+    work_done.begin_step();
     for (const Condition &c : conditions)
       {
-        const double target = targets[c.function];
-        const double v      = state.velocity[c.node][c.component];
-        double      &force  = state.force[c.node][c.component];
-        const double needed = state.mass[c.node] * (target - v) / time_step;
-        before += (needed - force) * v;
-        after += (needed - force) * target;
+        const double target   = targets[c.function];
+        const double v        = state.velocity[c.node][c.component];
+        double      &force    = state.force[c.node][c.component];
+        const double needed   = state.mass[c.node] * (target - v) / time_step;
+        const double reaction = needed - force;
+        work_done.add(c.node, reaction * v, reaction * target, time_step);
         force = needed;
         if (target != 0)
           activity.wake_node(topology, c.node);
       }
-    work_until_now    = work_of_half_step + .5 * time_step * before;
-    work_of_half_step = work_until_now + .5 * time_step * after;
   }
 } // namespace rift

@@ -25,6 +25,7 @@ namespace rift
     , surface(std::move(surface))
     , pressure(
         make_function(parameters.pressure, parameters.name, "Pressure", "Pa"))
+    , work_done(topology)
   {
     for (unsigned int d = 0; d < dim; ++d)
       traction[d] = make_function(parameters.traction[d],
@@ -100,20 +101,8 @@ namespace rift
   void
   SurfaceLoad::count_work(const State &state, const double time_step)
   {
-    // The force works over half a step with the velocity before the kick and
-    // over half a step with that after: the trapezoidal rule over time, for
-    // which the energy of the central differences is exact.
-    double before = 0, after = 0;
+    work_done.begin_step();
     for (std::size_t i = 0; i < nodes.size() && is_loaded; ++i)
-      {
-        const NodeIndex       node  = nodes[i];
-        const Vector3<double> v     = state.velocity[node].vector();
-        const double          power = dot(forces[i], v);
-        before += power;
-        after += power + time_step / state.mass[node] *
-                           dot(forces[i], state.force[node].vector());
-      }
-    work_until_now    = work_of_half_step + .5 * time_step * before;
-    work_of_half_step = work_until_now + .5 * time_step * after;
+      work_done.add(state, nodes[i], forces[i], time_step);
   }
 } // namespace rift

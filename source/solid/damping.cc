@@ -32,6 +32,7 @@ namespace rift
     : topology(topology)
     , reference(reference)
     , viscosities(std::move(viscosities))
+    , work_done(topology)
   {
   }
 
@@ -73,18 +74,8 @@ namespace rift
   void
   Damping::count_work(const State &state, const double time_step)
   {
-    // As for loads: half a step with the velocity before and half with that
-    // after the kick.
-    double before = 0, after = 0;
-    for (std::size_t i = 0; i < forces.size(); ++i)
-      {
-        const Vector3<double> f     = forces[i].vector();
-        const double          power = dot(f, state.velocity[i].vector());
-        before -= power;
-        after -=
-          power + time_step / state.mass[i] * dot(f, state.force[i].vector());
-      }
-    dissipated_until_now    = dissipated_in_half_step + .5 * time_step * before;
-    dissipated_in_half_step = dissipated_until_now + .5 * time_step * after;
+    work_done.begin_step();
+    for (NodeIndex i = 0; i < forces.size(); ++i)
+      work_done.add(state, i, -1. * forces[i].vector(), time_step);
   }
 } // namespace rift

@@ -183,27 +183,19 @@ namespace rift
     return sigma;
   }
 
-  double
+  ExactSum
   InternalForce::strain_energy(const State &state) const
   {
-    Simd energy{};
-    for (const MaterialRange &range : topology.material_ranges)
-      std::visit(
-        [&](const auto &law) {
-          for (std::size_t b = range.begin; b < range.end; ++b)
-            {
-              const auto strain =
-                green_lagrange_strain(gradient(reference[b],
-                                               topology.batches[b],
-                                               state.displacement));
-              energy +=
-                .5 * reference[b].volume * contract(law.stress(strain), strain);
-            }
-        },
-        laws[range.material]);
-    double sum = 0;
-    for (unsigned int lane = 0; lane < batch_size; ++lane)
-      sum += energy[lane];
+    ExactSum sum;
+    for (std::size_t b = 0; b < topology.n_batches(); ++b)
+      {
+        const BatchStress of = stress(state, b);
+        const Simd        energy =
+          .5 * reference[b].volume * contract(of.second, of.strain);
+        for (unsigned int lane = 0; lane < batch_size; ++lane)
+          if (topology.owns_cell(b * batch_size + lane))
+            sum.add(energy[lane]);
+      }
     return sum;
   }
 } // namespace rift

@@ -32,16 +32,19 @@ namespace rift
         .5 * time_step / state.mass[i] * state.force[i].row();
   }
 
-  double
-  kinetic_energy(const State &state, const double time_step)
+  ExactSum
+  kinetic_energy(const Topology &topology,
+                 const State    &state,
+                 const double    time_step)
   {
-    double sum = 0;
-    for (std::size_t i = 0; i < state.n_nodes(); ++i)
-      {
-        const Vector3<double> v = state.velocity[i].vector();
-        sum += .5 * (state.mass[i] * dot(v, v) +
-                     time_step * dot(v, state.force[i].vector()));
-      }
+    ExactSum sum;
+    for (NodeIndex i = 0; i < state.n_nodes(); ++i)
+      if (topology.owns_node(i))
+        {
+          const Vector3<double> v = state.velocity[i].vector();
+          sum.add(.5 * (state.mass[i] * dot(v, v) +
+                        time_step * dot(v, state.force[i].vector())));
+        }
     return sum;
   }
 } // namespace rift

@@ -214,11 +214,34 @@ TEST(ExactSum, IsNoNumberWhenATermIsNone)
     std::isnan(sum_of({Limits::infinity(), -Limits::infinity()}).value()));
 }
 
-TEST(ExactSum, OfOneRankIsItsOwn)
+TEST(ExactSum, TotalOverRanks)
 {
-  ExactSum   a = sum_of({1, Limits::denorm_min()}), b = sum_of({-3});
-  const auto digits = a.digits();
-  ExactSum::sum_over_ranks({&a, &b}, Communicator());
-  EXPECT_EQ(a.digits(), digits);
-  EXPECT_EQ(b.value(), -3);
+  const Communicator all(MPI_COMM_WORLD);
+  Random             random(6);
+  for (unsigned int n = 0; n < 20; ++n)
+    {
+      const auto            terms = random_doubles(random, 3000);
+      std::vector<ExactSum> sums(1 + random() % 10), expected(sums.size());
+      for (const double term : terms)
+        {
+          const std::size_t i = random() % sums.size();
+          const bool        mine =
+            static_cast<int>(random() % all.size()) == all.rank();
+          expected[i].add(term);
+          if (mine)
+            sums[i].add(term);
+        }
+      // One of them is no number on the last rank.
+      expected[0].add(Limits::infinity());
+      if (all.rank() == all.size() - 1)
+        sums[0].add(Limits::infinity());
+
+      std::vector<ExactSum *> pointers;
+      for (ExactSum &sum : sums)
+        pointers.push_back(&sum);
+      ExactSum::sum_over_ranks(pointers, all);
+      for (std::size_t i = 0; i < sums.size(); ++i)
+        EXPECT_EQ(sums[i].digits(), expected[i].digits());
+      EXPECT_TRUE(std::isnan(sums[0].value()));
+    }
 }

@@ -61,12 +61,16 @@ namespace rift::test
   /** A body with the modules that break it, as a simulation has them. */
   struct BreakingBody
   {
+    /** @param body a Body, or what this rank sees of one (BodyPart). */
+    template <typename AnyBody>
     explicit BreakingBody(
-      const Body                     &body,
+      const AnyBody                  &body,
       std::vector<MaterialParameters> the_materials    = {granite()},
       const double                    stiffness_factor = .25,
-      const CohesiveParameters       &parameters       = {})
-      : materials(std::move(the_materials))
+      const CohesiveParameters       &parameters       = {},
+      const Communicator             &communicator     = Communicator())
+      : communicator(communicator)
+      , materials(std::move(the_materials))
       , discrete(discretize(body, densities_of(materials)))
       , topology(discrete.topology)
       , state(discrete.state)
@@ -99,7 +103,7 @@ namespace rift::test
       return critical_time_step(topology,
                                 discrete.reference,
                                 limits,
-                                Communicator());
+                                communicator);
     }
 
     /** Cuts faces and has everything follow. */
@@ -150,14 +154,14 @@ namespace rift::test
     Energies
     energies(const double time_step) const
     {
-      Energies             result;
       const CohesiveEnergy cohesive = force.energy();
-      result.kinetic                = kinetic_energy(state, time_step);
-      result.strain                 = internal_force.strain_energy(state);
-      result.cohesive               = cohesive.recoverable;
-      result.fracture               = cohesive.fracture;
-      result.friction               = cohesive.friction;
-      return result;
+      EnergySums           sums;
+      sums.kinetic  = kinetic_energy(topology, state, time_step);
+      sums.strain   = internal_force.strain_energy(state);
+      sums.cohesive = cohesive.recoverable;
+      sums.fracture = cohesive.fracture;
+      sums.friction = cohesive.friction;
+      return sums.total(communicator);
     }
 
     std::vector<FaceIndex>
@@ -188,6 +192,7 @@ namespace rift::test
       return faces;
     }
 
+    const Communicator              communicator;
     std::vector<MaterialParameters> materials;
     DiscreteBody                    discrete;
     Topology                       &topology;

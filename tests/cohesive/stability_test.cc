@@ -200,7 +200,7 @@ namespace
               edges[e][d] = batch.edges[e][d][lane];
           outcome.area += .5 * norm(cross(edges[0], edges[1]));
         }
-    outcome.n_failed = body.force.n_failed();
+    outcome.n_failed = body.force.count_faces(Communicator()).failed;
     return outcome;
   }
 

@@ -73,13 +73,14 @@ namespace
         if (body.state.step == 0)
           start_velocities(body.state, dt);
         damping.count_work(body.state, dt);
-        const double energy = kinetic_energy(body.state, dt) +
-                              body.force.strain_energy(body.state) +
-                              damping.dissipated();
+        const double dissipated = damping.work().sum().value();
+        const double energy =
+          kinetic_energy(body.topology, body.state, dt).value() +
+          body.force.strain_energy(body.state).value() + dissipated;
         if (body.state.step == 0)
           start = energy;
         result.error = std::max(result.error, std::abs(energy / start - 1));
-        result.dissipated_share = damping.dissipated() / start;
+        result.dissipated_share = dissipated / start;
         advance(body.state, body.activity, dt);
       }
     return result;

@@ -124,21 +124,22 @@ namespace
     void
     enter()
     {
-      Energies e;
-      e.kinetic = kinetic_energy(body.state, dt);
-      e.strain  = body.force.strain_energy(body.state);
-      e.loads   = motion->work() + gravity.work(body.state);
+      EnergySums sums;
+      sums.kinetic = kinetic_energy(body.topology, body.state, dt);
+      sums.strain  = body.force.strain_energy(body.state);
+      sums.loads   = motion->work().sum();
+      sums.loads.add(gravity.work(body.topology, body.state));
       for (auto &load : loads)
         {
           load.count_work(body.state, dt);
-          e.loads += load.work();
+          sums.loads.add(load.work().sum());
         }
       if (damping)
         {
           damping->count_work(body.state, dt);
-          e.damping = damping->dissipated();
+          sums.damping = damping->work().sum();
         }
-      ledger.enter(e);
+      ledger.enter(sums.total(Communicator()));
     }
 
     ElasticBody                     body;

@@ -104,7 +104,6 @@ namespace rift
       FaceStrengths strengths;
       Insertion     insertion;
       CohesiveForce force;
-      std::size_t   n_inserted = 0;
     };
 
     void

@@ -1,6 +1,7 @@
 #ifndef rift_cohesive_cohesive_force_h
 #define rift_cohesive_cohesive_force_h
 
+#include <rift/base/exact_sum.h>
 #include <rift/cohesive/cohesive_faces.h>
 #include <rift/cohesive/face_kinematics.h>
 #include <rift/cohesive/face_strengths.h>
@@ -19,13 +20,26 @@ namespace rift
   using PrescribedAcceleration =
     std::function<std::optional<double>(NodeIndex, unsigned int)>;
 
-  /** Energies of all cohesive elements, J. */
+  /** Energies of the cohesive elements that this rank owns, J. */
   struct CohesiveEnergy
   {
     /** Elastic, less what the faces were given when they began to open. */
-    double recoverable = 0;
-    double fracture    = 0;
-    double friction    = 0;
+    ExactSum recoverable;
+    ExactSum fracture;
+    ExactSum friction;
+  };
+
+  /** Numbers of faces of the whole body. */
+  struct FaceCounts
+  {
+    /** Faces with a cohesive element, and those that have begun to open. */
+    std::uint64_t inserted = 0, opened = 0;
+
+    std::uint64_t failed = 0;
+
+    /** Faces that have opened though the mesh is too coarse for their fracture
+     * energy; see is_separation_too_short(). */
+    std::uint64_t too_short = 0;
   };
 
   /**
@@ -105,22 +119,9 @@ namespace rift
       return cohesive_faces;
     }
 
-    /**
-     * Number of faces that have opened though the mesh is too coarse for their
-     * fracture energy; see is_separation_too_short().
-     */
-    std::size_t
-    n_too_short() const
-    {
-      return too_short;
-    }
-
-    /** Number of faces that have failed. */
-    std::size_t
-    n_failed() const
-    {
-      return failed;
-    }
+    /** Collective. */
+    FaceCounts
+    count_faces(const Communicator &communicator) const;
 
     /** Jump at a point of a face in its frame, m, and its traction, Pa. */
     struct PointState
@@ -220,7 +221,6 @@ namespace rift
     const MohrCoulomb                  law;
 
     CohesiveFaces cohesive_faces;
-    std::size_t   failed = 0, too_short = 0;
 
     /** Index in cohesive_faces of each interior face, if it has one. */
     std::vector<std::uint32_t> index_of_face;

@@ -1,6 +1,7 @@
 #ifndef rift_loading_body_force_h
 #define rift_loading_body_force_h
 
+#include <rift/base/exact_sum.h>
 #include <rift/discretization/state.h>
 #include <rift/loading/loading_parameters.h>
 
@@ -29,13 +30,15 @@ namespace rift
           state.force[i][d] += state.mass[i] * gravity[d];
     }
 
-    /** Work since the start, J: that of the displacements. */
-    double
-    work(const State &state) const
+    /** Work since the start on the nodes that this rank owns, J: that of the
+     * displacements. */
+    ExactSum
+    work(const Topology &topology, const State &state) const
     {
-      double sum = 0;
-      for (std::size_t i = 0; i < state.n_nodes(); ++i)
-        sum += state.mass[i] * dot(gravity, state.displacement[i].vector());
+      ExactSum sum;
+      for (NodeIndex i = 0; i < state.n_nodes(); ++i)
+        if (topology.owns_node(i))
+          sum.add(state.mass[i] * dot(gravity, state.displacement[i].vector()));
       return sum;
     }
 

@@ -2,7 +2,7 @@
 #define rift_loading_prescribed_motion_h
 
 #include <rift/discretization/activity.h>
-#include <rift/discretization/state.h>
+#include <rift/discretization/work.h>
 #include <rift/loading/loading_parameters.h>
 #include <rift/loading/time_function.h>
 #include <rift/mesh/surface.h>
@@ -42,10 +42,10 @@ namespace rift
     impose(State &state, Activity &activity, double time_step);
 
     /** Work of the reactions up to t_n, J, as of the last impose(). */
-    double
-    work() const
+    Work &
+    work()
     {
-      return work_until_now;
+      return work_done;
     }
 
     /** Takes in nodes that a crack has made. */
@@ -78,7 +78,7 @@ namespace rift
 
     std::vector<Condition>    conditions;
     std::vector<std::uint8_t> prescribed_components;
-    double                    work_until_now = 0, work_of_half_step = 0;
+    Work                      work_done;
   };
 } // namespace rift
 

@@ -2,7 +2,7 @@
 #define rift_loading_surface_load_h
 
 #include <rift/discretization/activity.h>
-#include <rift/discretization/state.h>
+#include <rift/discretization/work.h>
 #include <rift/loading/loading_parameters.h>
 #include <rift/loading/time_function.h>
 #include <rift/mesh/surface.h>
@@ -39,11 +39,11 @@ namespace rift
     void
     count_work(const State &state, double time_step);
 
-    /** Work done up to t_n, J, as of the last count_work(). */
-    double
-    work() const
+    /** Work up to t_n, J, as of the last count_work(). */
+    Work &
+    work()
     {
-      return work_until_now;
+      return work_done;
     }
 
     /** Takes in nodes that a crack has made. */
@@ -62,8 +62,8 @@ namespace rift
     std::vector<std::array<std::uint32_t, 3>> face_positions;
     std::vector<Vector3<double>>              forces;
 
-    double work_until_now = 0, work_of_half_step = 0;
-    bool   is_loaded = false;
+    Work work_done;
+    bool is_loaded = false;
   };
 } // namespace rift
 

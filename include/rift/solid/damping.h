@@ -3,7 +3,7 @@
 
 #include <rift/discretization/activity.h>
 #include <rift/discretization/reference_cell_data.h>
-#include <rift/discretization/state.h>
+#include <rift/discretization/work.h>
 
 #include <vector>
 
@@ -30,11 +30,12 @@ namespace rift
     void
     count_work(const State &state, double time_step);
 
-    /** Energy dissipated up to t_n, J, as of the last count_work(). */
-    double
-    dissipated() const
+    /** Work against the viscous forces up to t_n, J, as of the last
+     * count_work(): the energy that they have dissipated. */
+    Work &
+    work()
     {
-      return dissipated_until_now;
+      return work_done;
     }
 
   private:
@@ -43,7 +44,7 @@ namespace rift
     const std::vector<double> viscosities;
 
     std::vector<NodalVector> forces;
-    double dissipated_until_now = 0, dissipated_in_half_step = 0;
+    Work                     work_done;
   };
 } // namespace rift
 

@@ -1,6 +1,7 @@
 #ifndef rift_solid_internal_force_h
 #define rift_solid_internal_force_h
 
+#include <rift/base/exact_sum.h>
 #include <rift/discretization/activity.h>
 #include <rift/discretization/reference_cell_data.h>
 #include <rift/discretization/state.h>
@@ -101,8 +102,8 @@ namespace rift
     SymmetricTensor<double>
     cauchy_stress(const State &state, CellIndex cell) const;
 
-    /** Strain energy of all cells, J. */
-    double
+    /** Strain energy of the cells that this rank owns, J. */
+    ExactSum
     strain_energy(const State &state) const;
 
   private:

@@ -1,6 +1,7 @@
 #ifndef rift_time_integration_central_difference_h
 #define rift_time_integration_central_difference_h
 
+#include <rift/base/exact_sum.h>
 #include <rift/discretization/activity.h>
 #include <rift/discretization/state.h>
 
@@ -22,12 +23,15 @@ namespace rift
   start_velocities(State &state, double time_step);
 
   /**
-   * Kinetic energy at t_n from the velocities before and after the kick,
-   * m v^- v^+ / 2, J: the form that central differences conserve (doc/theory.md,
-   * eq. 23). To be called between the last force and the kick.
+   * Kinetic energy at t_n of the nodes that this rank owns, from the velocities
+   * before and after the kick, m v^- v^+ / 2, J: the form that central
+   * differences conserve (doc/theory.md, eq. 23). To be called between the last
+   * force and the kick.
    */
-  double
-  kinetic_energy(const State &state, double time_step);
+  ExactSum
+  kinetic_energy(const Topology &topology,
+                 const State    &state,
+                 double          time_step);
 } // namespace rift
 
 #endif

@@ -1,6 +1,8 @@
 #ifndef rift_time_integration_energy_ledger_h
 #define rift_time_integration_energy_ledger_h
 
+#include <rift/base/exact_sum.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -29,6 +31,36 @@ namespace rift
     {
       return kinetic + strain + cohesive + fracture + contact + friction +
              damping;
+    }
+  };
+
+  /** What one rank owns of the energies, J; none of contact yet. */
+  struct EnergySums
+  {
+    ExactSum kinetic, strain, cohesive, fracture, friction, damping, loads;
+
+    /** The energies of the whole body. Collective. */
+    Energies
+    total(const Communicator &communicator) const
+    {
+      EnergySums all = *this;
+      ExactSum::sum_over_ranks({&all.kinetic,
+                                &all.strain,
+                                &all.cohesive,
+                                &all.fracture,
+                                &all.friction,
+                                &all.damping,
+                                &all.loads},
+                               communicator);
+      Energies result;
+      result.kinetic  = all.kinetic.value();
+      result.strain   = all.strain.value();
+      result.cohesive = all.cohesive.value();
+      result.fracture = all.fracture.value();
+      result.friction = all.friction.value();
+      result.damping  = all.damping.value();
+      result.loads    = all.loads.value();
+      return result;
     }
   };
 
