@@ -35,18 +35,6 @@ namespace rift
       return result;
     }
 
-    /** Whether a face has a corner at which forces are summed here. */
-    bool
-    has_complete_vertex(const Topology    &topology,
-                        const CellIndex    cell,
-                        const unsigned int local_face)
-    {
-      for (const unsigned int corner : face_corners[local_face])
-        if (topology.is_complete(topology.vertex(cell, corner)))
-          return true;
-      return false;
-    }
-
     template <typename List>
     typename List::const_iterator
     find_vertex(const List &list, const VertexIndex vertex)
@@ -350,9 +338,9 @@ namespace rift
         for (const ToldOpening &told :
              take<ToldOpening>(bytes, header.n_openings))
           {
-            const CellIndex cell  = topology.find_cell(told.minus_cell);
-            const FaceIndex index = topology.cell_faces[cell][told.local_face];
-            if (has_complete_vertex(topology, cell, told.local_face))
+            const FaceIndex index =
+              topology.find_face({told.minus_cell, told.local_face});
+            if (topology.needs_face(index))
               change.openings.push_back(
                 {index,
                  static_cast<std::uint8_t>(told.corner),

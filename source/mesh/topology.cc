@@ -135,6 +135,24 @@ namespace rift
     return c;
   }
 
+  FaceIndex
+  Topology::find_face(const FaceName &name) const
+  {
+    const CellIndex cell = find_cell(name.cell);
+    return cell == invalid_index ? invalid_index :
+                                   cell_faces[cell][name.local_face];
+  }
+
+  bool
+  Topology::needs_face(const FaceIndex face) const
+  {
+    const Face &f = faces[face];
+    for (unsigned int c = 0; c < n_corners; ++c)
+      if (c != f.local_faces[0] && is_complete(vertex(f.cells[0], c)))
+        return true;
+    return false;
+  }
+
   CellIndex
   Topology::find_cell(const GlobalCellIndex global_index) const
   {

@@ -78,6 +78,15 @@ namespace rift
     }
   };
 
+  /** All that a cohesive element remembers, for a checkpoint. */
+  struct CohesiveFaceRecord
+  {
+    FaceName face;
+    double   start_time, failure_time, area, fracture, friction, initial;
+
+    std::array<CohesivePoint<double>, n_face_points> points;
+  };
+
   /** Memory of one point of one face. */
   CohesivePoint<double>
   get_point(const CohesiveBatch &batch, unsigned int point, unsigned int lane);

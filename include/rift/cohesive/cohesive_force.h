@@ -109,7 +109,19 @@ namespace rift
     void
     start_openings(const State &state, std::vector<OpeningCorner> corners);
 
-    /** Energies at the last add_to(). */
+    /** The faces that this rank owns, in their order. */
+    std::vector<CohesiveFaceRecord>
+    records() const;
+
+    /**
+     * Goes on with faces of which records() has told, on any ranks; the
+     * topology must have been cut as it was. Those that this rank does not
+     * need are passed over.
+     */
+    void
+    restore(const State &state, std::vector<CohesiveFaceRecord> records);
+
+    /** Energies at the last add_to().
     CohesiveEnergy
     energy() const;
 

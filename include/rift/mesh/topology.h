@@ -41,6 +41,13 @@ namespace rift
     std::uint8_t local_faces[2];
   };
 
+  /** An interior face, for all ranks: cell and local face of its minus side. */
+  struct FaceName
+  {
+    GlobalCellIndex cell;
+    std::uint32_t   local_face;
+  };
+
   /** What holds the two sides of an interior face together. */
   enum class FaceState : std::uint8_t
   {
@@ -202,6 +209,25 @@ namespace rift
     /** The slot of a cell given by its global index; invalid_index if none. */
     CellIndex
     find_cell(GlobalCellIndex global_index) const;
+
+    /** An interior face by its minus side, the same on all ranks. */
+    FaceName
+    face_name(const FaceIndex face) const
+    {
+      const Face &f = faces[face];
+      return {cell_global_indices[f.cells[0]], f.local_faces[0]};
+    }
+
+    /** invalid_index if this rank does not see both sides of it. */
+    FaceIndex
+    find_face(const FaceName &name) const;
+
+    /**
+     * Whether forces are summed at a corner of a face: only then does this
+     * rank have to know what it does.
+     */
+    bool
+    needs_face(const FaceIndex face) const;
 
     /** Nodes of every cell. */
     std::vector<BatchNodes> batches;

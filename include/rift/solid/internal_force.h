@@ -83,6 +83,13 @@ namespace rift
       return hot;
     }
 
+    /** Takes over the hot cells of a checkpoint, ascending. */
+    void
+    restore_hot_cells(std::vector<CellIndex> cells)
+    {
+      hot = std::move(cells);
+    }
+
     /** Strain and stress of a batch of cells. */
     struct BatchStress
     {

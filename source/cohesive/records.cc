@@ -1,0 +1,68 @@
+#include <rift/cohesive/cohesive_force.h>
+
+#include <algorithm>
+#include <tuple>
+
+// What checkpoints need of CohesiveForce.
+namespace rift
+{
+  std::vector<CohesiveFaceRecord>
+  CohesiveForce::records() const
+  {
+    std::vector<CohesiveFaceRecord> result;
+    for (std::size_t i = 0; i < cohesive_faces.size(); ++i)
+      {
+        const CohesiveFaceInfo &info = cohesive_faces.infos[i];
+        if (!topology.owns_face(info.face))
+          continue;
+        const CohesiveBatch &batch = cohesive_faces.batches[i / batch_size];
+        const unsigned int   lane  = i % batch_size;
+        CohesiveFaceRecord   record{topology.face_name(info.face),
+                                  info.start_time,
+                                  info.failure_time,
+                                  batch.area[lane],
+                                  batch.fracture[lane],
+                                  batch.friction[lane],
+                                  batch.initial[lane],
+                                  {}};
+        for (unsigned int q = 0; q < n_face_points; ++q)
+          record.points[q] = get_point(batch, q, lane);
+        result.push_back(record);
+      }
+    return result;
+  }
+
+  void
+  CohesiveForce::restore(const State                    &state,
+                         std::vector<CohesiveFaceRecord> records)
+  {
+    // In the order in which they have begun to open.
+    const auto key = [](const CohesiveFaceRecord &r) {
+      return std::make_tuple(r.start_time, r.face.cell, r.face.local_face);
+    };
+    std::sort(records.begin(),
+              records.end(),
+              [&](const CohesiveFaceRecord &a, const CohesiveFaceRecord &b) {
+                return key(a) < key(b);
+              });
+    for (const CohesiveFaceRecord &record : records)
+      {
+        const FaceIndex face = topology.find_face(record.face);
+        if (face == invalid_index || !topology.needs_face(face))
+          continue;
+        activate(face, state);
+        CohesiveBatch     &batch = cohesive_faces.batches.back();
+        const unsigned int lane  = (cohesive_faces.size() - 1) % batch_size;
+        batch.area[lane]         = record.area;
+        batch.fracture[lane]     = record.fracture;
+        batch.friction[lane]     = record.friction;
+        batch.initial[lane]      = record.initial;
+        for (unsigned int q = 0; q < n_face_points; ++q)
+          set_point(batch, q, lane, record.points[q]);
+        CohesiveFaceInfo &info = cohesive_faces.infos.back();
+        info.start_time        = record.start_time;
+        if (record.failure_time >= 0)
+          fail(info, record.failure_time);
+      }
+  }
+} // namespace rift

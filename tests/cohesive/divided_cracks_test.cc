@@ -1,0 +1,191 @@
+#include "../support/distributed_body.h"
+#include "breaking_body.h"
+#include <gtest/gtest.h>
+
+using namespace rift;
+using namespace rift::test;
+
+// Bodies that break in the same way whoever owns their cells.
+namespace
+{
+  using Vector = Vector3<double>;
+
+  constexpr double       h       = 1e-3;
+  constexpr unsigned int n_steps = 40;
+
+  /** A face by the names that it has on all ranks. */
+  struct NamedCut
+  {
+    GlobalCellIndex cell;
+    unsigned int    local_face;
+  };
+
+  /** What happens to a body, whoever computes it. */
+  struct Story
+  {
+    Body                               whole;
+    std::vector<Vector>                displacements, velocities;
+    std::vector<std::vector<NamedCut>> cuts;
+  };
+
+  Story
+  random_story(const unsigned int seed)
+  {
+    std::mt19937 random(seed);
+    Story        story;
+    story.whole = make_box({3, 3, 2}, h, .2, seed);
+    order(story.whole);
+
+    // Strains of about a thousandth, above the strength, and speeds that tear
+    // the body to pieces.
+    std::uniform_real_distribution<double> value(-1, 1);
+    for (std::size_t v = 0; v < story.whole.vertices.size(); ++v)
+      {
+        story.displacements.emplace_back();
+        story.velocities.emplace_back();
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            story.displacements.back()[d] = 1e-4 * h * value(random);
+            story.velocities.back()[d] =
+              5 * value(random) + 2e4 * story.whole.vertices[v][d];
+          }
+      }
+    story.cuts.resize(n_steps);
+    for (auto &cuts : story.cuts)
+      for (unsigned int i = 0; i < random() % 6; ++i)
+        cuts.push_back({static_cast<GlobalCellIndex>(
+                          random() % story.whole.cells.size()),
+                        static_cast<unsigned int>(random() % n_corners)});
+    return story;
+  }
+
+  /** A body, or what a rank has of it, and what moves it. */
+  struct Actor
+  {
+    template <typename AnyBody>
+    Actor(const Story                    &story,
+          const AnyBody                  &body,
+          const std::vector<VertexIndex> &global_vertices,
+          const Communicator             &communicator)
+      : body(body, {granite()}, .25, {}, communicator)
+      , exchange(communicator, this->body.topology)
+      , dt(.6 * this->body.critical.time_step)
+    {
+      for (NodeIndex i = 0; i < this->body.state.n_nodes(); ++i)
+        {
+          const VertexIndex v =
+            global_vertices[this->body.topology.node_vertices[i]];
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              this->body.state.displacement[i][d] = story.displacements[v][d];
+              this->body.state.velocity[i][d]     = story.velocities[v][d];
+            }
+        }
+    }
+
+    void
+    step(const std::vector<NamedCut> &cuts)
+    {
+      const Topology        &topology = body.topology;
+      std::vector<FaceIndex> faces =
+        body.insertion.find_faces(body.state, body.internal_force.hot_cells());
+      for (const NamedCut &cut : cuts)
+        {
+          const CellIndex cell = topology.find_cell(cut.cell);
+          if (cell == invalid_index)
+            continue;
+          const FaceIndex face = topology.cell_faces[cell][cut.local_face];
+          if (face != invalid_index &&
+              topology.face_states[face] == FaceState::intact)
+            faces.push_back(face);
+        }
+      std::sort(faces.begin(), faces.end());
+      faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+      const auto change = body.split(faces);
+
+      ASSERT_TRUE(body.sum_forces());
+      advance(body.state, body.activity, dt);
+      exchange.send(topology, body.state, change.splits, body.openings);
+      const auto news =
+        exchange.receive(body.topology, body.state, body.activity);
+      body.force.update_nodes(news.vertices);
+      body.openings.insert(body.openings.end(),
+                           news.openings.begin(),
+                           news.openings.end());
+      body.start_openings();
+    }
+
+    BreakingBody  body;
+    GhostExchange exchange;
+    double        dt;
+  };
+
+  /** That all corners of the cells of a part are where the whole has them. */
+  void
+  expect_same(const Actor &part, const Actor &whole)
+  {
+    const Topology &here = part.body.topology, &there = whole.body.topology;
+    for (CellIndex cell = 0; cell < here.n_cell_slots(); ++cell)
+      for (unsigned int c = 0; c < n_corners && !here.is_padding(cell); ++c)
+        {
+          const CellIndex same =
+            there.find_cell(here.cell_global_indices[cell]);
+          const NodeIndex a = here.node(cell, c), b = there.node(same, c);
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              ASSERT_EQ(part.body.state.displacement[a][d],
+                        whole.body.state.displacement[b][d]);
+              if (here.is_complete(here.node_vertices[a]))
+                {
+                  ASSERT_EQ(part.body.state.velocity[a][d],
+                            whole.body.state.velocity[b][d]);
+                }
+            }
+        }
+  }
+
+  std::int64_t
+  n_owned_open_faces(const BreakingBody &body)
+  {
+    std::int64_t n = 0;
+    for (const CohesiveFaceInfo &info : body.force.faces().infos)
+      n += body.topology.owns_face(info.face) ? 1 : 0;
+    return n;
+  }
+} // namespace
+
+TEST(DividedCracks, AreTheSameForAnyPartition)
+{
+  const Communicator communicator(MPI_COMM_WORLD);
+  std::size_t        n_failed = 0;
+  for (unsigned int seed = 1; seed <= 50; ++seed)
+    {
+      const Story  story = random_story(seed);
+      std::mt19937 random(1000 + seed);
+      const auto   owners =
+        random_owners(story.whole.cells.size(), communicator.size(), random);
+
+      std::vector<VertexIndex> identity(story.whole.vertices.size());
+      std::iota(identity.begin(), identity.end(), 0u);
+      BodyPart all{story.whole, 0, identity};
+      for (LocalCell &cell : all.body.cells)
+        cell.owner = 0;
+      Actor          whole(story, all, identity, Communicator());
+      const BodyPart own_part =
+        part_of(story.whole, owners, communicator.rank());
+      Actor part(story, own_part, own_part.global_vertices, communicator);
+      ASSERT_EQ(part.dt, whole.dt);
+      for (const auto &cuts : story.cuts)
+        {
+          whole.step(cuts);
+          part.step(cuts);
+          expect_same(part, whole);
+          ASSERT_FALSE(communicator.any(HasFatalFailure())) << "seed " << seed;
+        }
+      EXPECT_EQ(communicator.sum(n_owned_open_faces(part.body)),
+                static_cast<std::int64_t>(whole.body.force.faces().size()));
+      EXPECT_GT(whole.body.force.faces().size(), 100u);
+      n_failed += whole.body.force.n_failed();
+    }
+  EXPECT_GT(n_failed, 1000u);
+}
