@@ -5,6 +5,8 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
+
 namespace rift
 {
   namespace
@@ -17,19 +19,23 @@ namespace rift
       return 1024ull * static_cast<std::uint64_t>(usage.ru_maxrss);
     }
 
-    Fragments
-    fragments_of(const Snapshot                     &snapshot,
-                 const std::vector<Vector3<double>> &velocity)
+    std::vector<double>
+    densities_of(const Body &body)
     {
       std::vector<double> densities;
-      for (const MaterialParameters &material : snapshot.body.materials)
+      for (const MaterialParameters &material : body.materials)
         densities.push_back(material.density);
-      const Discretization &d = snapshot.body.discretization;
-      return find_fragments(d.topology,
-                            d.reference,
-                            densities,
-                            d.state,
-                            velocity);
+      return densities;
+    }
+
+    /** Number of nodes that this rank owns. */
+    std::size_t
+    n_owned_nodes(const Topology &topology)
+    {
+      std::size_t n = 0;
+      for (NodeIndex node = 0; node < topology.n_nodes(); ++node)
+        n += topology.owns_node(node) ? 1 : 0;
+      return n;
     }
 
     /** The terms of the ledger with their names. */
@@ -50,10 +56,13 @@ namespace rift
   } // namespace
 
   Results::Results(const Parameters &parameters, const Body &body)
-    : directory(parameters.output.directory)
+    : communicator(body.communicator)
+    , directory(parameters.output.directory)
     , solution_interval(parameters.output.solution_interval)
     , history_interval(parameters.output.history_interval)
-    , initial_nodes(body.discretization.topology.n_nodes())
+    , ranks_per_file(parameters.output.ranks_per_file)
+    , initial_nodes(
+        communicator.sum(n_owned_nodes(body.discretization.topology)))
   {
     const Discretization &d = body.discretization;
     for (const ProbeParameters &p : parameters.probes)
@@ -64,12 +73,26 @@ namespace rift
                             d.state,
                             p,
                             surface == body.surfaces.end() ? Surface() :
-                                                             surface->second);
+                                                             surface->second,
+                            communicator);
       }
   }
 
   void
   Results::open(const Parameters &parameters, Log &log)
+  {
+    communicator.on_root([&] { open_files(parameters, log); });
+    if (solution_interval > 0)
+      {
+        solid.emplace(directory, "solid", communicator, ranks_per_file);
+        if (parameters.cohesive.model != CohesiveParameters::Model::none)
+          fracture.emplace(directory, "fracture", communicator, ranks_per_file);
+      }
+    was_opened = true;
+  }
+
+  void
+  Results::open_files(const Parameters &parameters, Log &log)
   {
     prepare_output_directory(directory, parameters.output.overwrite);
     log.open(path("log.txt"));
@@ -88,13 +111,6 @@ namespace rift
     for (const auto &term : named_energies(EnergyLedger()))
       columns.push_back(term.first + " [J]");
     energy_file.emplace(path("energy.csv"), columns);
-
-    if (solution_interval > 0)
-      {
-        solid.emplace(directory, "solid");
-        if (parameters.cohesive.model != CohesiveParameters::Model::none)
-          fracture.emplace(directory, "fracture");
-      }
   }
 
   bool
@@ -113,22 +129,27 @@ namespace rift
   Results::write_history(const Snapshot &snapshot)
   {
     ++n_rows;
-    const State        &state = snapshot.body.discretization.state;
-    std::vector<double> row   = {state.time};
+    const Discretization &d      = snapshot.body.discretization;
+    std::vector<double>   energy = {d.state.time};
     for (const auto &term : named_energies(snapshot.ledger))
-      row.push_back(term.second);
-    energy_file->append(row);
+      energy.push_back(term.second);
 
-    if (probes.empty())
-      return;
-    const auto velocity = velocity_at_step(state, snapshot.time_step);
-    row                 = {state.time};
-    for (const Probe &probe : probes)
-      row.push_back(probe.value(snapshot.body.discretization.topology,
-                                snapshot.internal_force,
-                                state,
-                                velocity));
-    probes_file->append(row);
+    std::vector<double> values = {d.state.time};
+    if (!probes.empty())
+      for (const double value :
+           probe_values(probes,
+                        d.topology,
+                        snapshot.internal_force,
+                        d.state,
+                        velocity_at_step(d.state, snapshot.time_step),
+                        communicator))
+        values.push_back(value);
+
+    communicator.on_root([&] {
+      energy_file->append(energy);
+      if (probes_file)
+        probes_file->append(values);
+    });
   }
 
   void
@@ -136,25 +157,30 @@ namespace rift
   {
     ++n_solutions;
     const Discretization &d = snapshot.body.discretization;
-    const auto velocity     = velocity_at_step(d.state, snapshot.time_step);
     solid->write(d.state.time,
                  solid_solution(d.topology,
                                 d.state,
                                 snapshot.internal_force,
-                                velocity,
-                                fragments_of(snapshot, velocity)));
+                                velocity_at_step(d.state, snapshot.time_step),
+                                number_fragments(d.topology,
+                                                 d.reference,
+                                                 densities_of(snapshot.body),
+                                                 communicator)));
     if (fracture)
-      fracture->write(d.state.time,
-                      fracture_solution(d.state, *snapshot.cohesive_force));
+      fracture->write(
+        d.state.time,
+        fracture_solution(d.topology, d.state, *snapshot.cohesive_force));
     flush();
   }
 
   void
   Results::flush()
   {
-    energy_file->flush();
-    if (probes_file)
-      probes_file->flush();
+    communicator.on_root([this] {
+      energy_file->flush();
+      if (probes_file)
+        probes_file->flush();
+    });
   }
 
   void
@@ -163,22 +189,30 @@ namespace rift
     flush();
     const Discretization &d = snapshot.body.discretization;
     const auto            fragments =
-      fragments_of(snapshot, velocity_at_step(d.state, snapshot.time_step));
-    write_fragments(path("fragments.csv"), fragments);
+      list_fragments(d.topology,
+                     d.reference,
+                     densities_of(snapshot.body),
+                     d.state,
+                     velocity_at_step(d.state, snapshot.time_step),
+                     communicator);
 
     summary.version           = RIFT_VERSION;
-    summary.cells             = d.topology.n_cells();
+    summary.cells             = communicator.sum(d.topology.n_owned_cells());
     summary.nodes_initial     = initial_nodes;
-    summary.nodes_final       = d.topology.n_nodes();
+    summary.nodes_final       = communicator.sum(n_owned_nodes(d.topology));
     summary.steps             = d.state.step;
     summary.time              = d.state.time;
     summary.time_step         = snapshot.time_step;
-    summary.peak_memory_bytes = peak_memory_bytes();
-    summary.fragments         = fragments.list.size();
+    summary.ranks             = communicator.size();
+    summary.peak_memory_bytes = communicator.sum(peak_memory_bytes());
+    summary.fragments         = fragments.size();
     summary.energy            = named_energies(snapshot.ledger);
     summary.energy_residual_relative =
       snapshot.ledger.largest_relative_residual();
-    summary.state_hash = state_hash(d.topology, d.state);
-    write_summary(path("summary.json"), summary);
+    summary.state_hash = state_hash(d.topology, d.state, communicator);
+    communicator.on_root([&] {
+      write_fragments(path("fragments.csv"), fragments);
+      write_summary(path("summary.json"), summary);
+    });
   }
 } // namespace rift

@@ -253,6 +253,21 @@ namespace rift
   }
 
   void
+  Communicator::gather_in_turn(
+    const std::string                              &bytes,
+    const std::function<void(const std::string &)> &take) const
+  {
+    if (!is_root())
+      {
+        send(bytes, 0);
+        return;
+      }
+    take(bytes);
+    for (int rank = 1; rank < n_ranks; ++rank)
+      take(receive(rank));
+  }
+
+  void
   Communicator::together(const std::function<void()> &f) const
   {
     // The exit code and the message; empty where all went well.

@@ -1,113 +1,207 @@
+#include <rift/base/bytes.h>
+#include <rift/base/exact_sum.h>
 #include <rift/base/output_file.h>
+#include <rift/io/fragment_labels.h>
 #include <rift/io/fragments.h>
 
 #include <algorithm>
-#include <numeric>
+#include <map>
 
 namespace rift
 {
   namespace
   {
-    /** For each cell the first cell of its piece. */
-    std::vector<CellIndex>
-    first_cells(const Topology &topology)
+    /** Sums over the cells of a fragment, by its label. */
+    template <std::size_t n>
+    using FragmentSums = std::map<GlobalCellIndex, std::array<double, n>>;
+
+    /** What one rank adds to a fragment; `Number` is double for a fragment
+     * that it has to itself. */
+    template <typename Number, std::size_t n>
+    struct Contribution
     {
-      std::vector<CellIndex> root(topology.n_cell_slots());
-      std::iota(root.begin(), root.end(), CellIndex{0});
-      const auto find_root = [&root](CellIndex i) {
-        while (root[i] != i)
-          i = root[i] = root[root[i]];
-        return i;
-      };
-      for (FaceIndex face = 0; face < topology.faces.size(); ++face)
-        if (topology.face_states[face] != FaceState::broken)
-          {
-            const CellIndex a    = find_root(topology.faces[face].cells[0]);
-            const CellIndex b    = find_root(topology.faces[face].cells[1]);
-            root[std::max(a, b)] = std::min(a, b);
-          }
-      for (CellIndex &cell : root)
-        cell = find_root(cell);
-      return root;
+      GlobalCellIndex       label;
+      std::array<Number, n> sums;
+    };
+
+    template <std::size_t n>
+    struct Contributions
+    {
+      std::vector<Contribution<double, n>>           whole;
+      std::vector<Contribution<ExactSum::Digits, n>> divided;
+    };
+
+    /** The cells of this rank, those of a fragment after each other. */
+    std::vector<std::pair<GlobalCellIndex, CellIndex>>
+    sorted_cells(const FragmentLabels &labels)
+    {
+      std::vector<std::pair<GlobalCellIndex, CellIndex>> cells;
+      for (CellIndex cell = 0; cell < labels.of_cell.size(); ++cell)
+        if (labels.of_cell[cell] != invalid_index)
+          cells.emplace_back(labels.of_cell[cell], cell);
+      std::sort(cells.begin(), cells.end());
+      return cells;
     }
 
-    void
-    add_cell(Fragment                           &fragment,
-             const Topology                     &topology,
-             const CellIndex                     cell,
-             const double                        volume,
-             const double                        density,
-             const State                        &state,
-             const std::vector<Vector3<double>> &velocity)
+    /** Sums the `n` numbers `terms(cell)` over each fragment on this rank. */
+    template <std::size_t n, typename Terms>
+    Contributions<n>
+    contributions(const FragmentLabels &labels, const Terms &terms)
     {
-      const double corner_mass = density * volume / n_corners;
-      ++fragment.n_cells;
-      fragment.volume += volume;
-      fragment.mass += density * volume;
-      for (unsigned int c = 0; c < n_corners; ++c)
+      Contributions<n> result;
+      const auto       cells = sorted_cells(labels);
+      for (auto cell = cells.begin(); cell != cells.end();)
         {
-          const NodeIndex node = topology.node(cell, c);
-          fragment.centre += corner_mass * state.position(node);
-          fragment.velocity += corner_mass * velocity[node];
+          const GlobalCellIndex   label = cell->first;
+          std::array<ExactSum, n> sums;
+          for (; cell != cells.end() && cell->first == label; ++cell)
+            {
+              const std::array<double, n> more = terms(cell->second);
+              for (std::size_t i = 0; i < n; ++i)
+                sums[i].add(more[i]);
+            }
+          if (std::binary_search(labels.divided.begin(),
+                                 labels.divided.end(),
+                                 label))
+            {
+              result.divided.push_back({label, {}});
+              for (std::size_t i = 0; i < n; ++i)
+                result.divided.back().sums[i] = sums[i].digits();
+            }
+          else
+            {
+              result.whole.push_back({label, {}});
+              for (std::size_t i = 0; i < n; ++i)
+                result.whole.back().sums[i] = sums[i].value();
+            }
         }
+      return result;
+    }
+
+    /** The sums over all ranks, on rank 0. Collective. */
+    template <std::size_t n>
+    FragmentSums<n>
+    collect(const Contributions<n> &own, const Communicator &communicator)
+    {
+      FragmentSums<n> result;
+      communicator.gather_in_turn(
+        to_bytes(own.whole),
+        [&](const std::string &bytes) {
+          for (const auto &part : from_bytes<Contribution<double, n>>(bytes))
+            result[part.label] = part.sums;
+        });
+
+      std::map<GlobalCellIndex, std::array<ExactSum, n>> divided;
+      communicator.gather_in_turn(
+        to_bytes(own.divided),
+        [&](const std::string &bytes) {
+          for (const auto &part :
+               from_bytes<Contribution<ExactSum::Digits, n>>(bytes))
+            for (std::size_t i = 0; i < n; ++i)
+              divided[part.label][i].add(ExactSum::from_digits(part.sums[i]));
+        });
+      for (const auto &[label, sums] : divided)
+        for (std::size_t i = 0; i < n; ++i)
+          result[label][i] = sums[i].value();
+      return result;
+    }
+
+    /** The labels by mass, which is at `mass_index` of the sums. */
+    template <std::size_t n>
+    std::vector<GlobalCellIndex>
+    order_by_mass(const FragmentSums<n> &sums, const std::size_t mass_index)
+    {
+      std::vector<GlobalCellIndex> labels;
+      for (const auto &fragment : sums)
+        labels.push_back(fragment.first);
+      std::stable_sort(labels.begin(), labels.end(), [&](auto a, auto b) {
+        return sums.at(a)[mass_index] > sums.at(b)[mass_index];
+      });
+      return labels;
+    }
+
+    double
+    volume_of(const ReferenceCellData &reference, const CellIndex cell)
+    {
+      return reference[cell / batch_size].volume[cell % batch_size];
     }
   } // namespace
 
-  Fragments
-  find_fragments(const Topology                     &topology,
-                 const ReferenceCellData            &reference,
-                 const std::vector<double>          &densities,
-                 const State                        &state,
-                 const std::vector<Vector3<double>> &velocity)
+  std::vector<std::uint32_t>
+  number_fragments(const Topology            &topology,
+                   const ReferenceCellData   &reference,
+                   const std::vector<double> &densities,
+                   const Communicator        &communicator)
   {
-    const auto                 first = first_cells(topology);
-    std::vector<Fragment>      pieces;
-    std::vector<std::uint32_t> piece_of_cell(first.size(), invalid_index);
-    for (CellIndex cell = 0; cell < first.size(); ++cell)
-      {
-        if (topology.is_padding(cell))
-          continue;
-        if (first[cell] == cell)
-          {
-            piece_of_cell[cell] = static_cast<std::uint32_t>(pieces.size());
-            pieces.emplace_back();
-          }
-        piece_of_cell[cell] = piece_of_cell[first[cell]];
-        add_cell(pieces[piece_of_cell[cell]],
-                 topology,
-                 cell,
-                 reference[cell / batch_size].volume[cell % batch_size],
-                 densities[topology.material(cell)],
-                 state,
-                 velocity);
-      }
-    for (Fragment &piece : pieces)
-      {
-        piece.centre   = (1 / piece.mass) * piece.centre;
-        piece.velocity = (1 / piece.mass) * piece.velocity;
-      }
+    const FragmentLabels labels = label_fragments(topology, communicator);
+    const auto           mass   = [&](const CellIndex cell) {
+      return std::array<double, 1>{
+        {densities[topology.material(cell)] * volume_of(reference, cell)}};
+    };
+    std::string bytes = to_bytes(
+      order_by_mass(collect(contributions<1>(labels, mass), communicator), 0));
+    communicator.broadcast(bytes);
 
-    std::vector<std::uint32_t> order(pieces.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) {
-      return pieces[a].mass > pieces[b].mass;
-    });
-    Fragments                  result;
-    std::vector<std::uint32_t> rank(pieces.size());
-    for (std::uint32_t i = 0; i < order.size(); ++i)
-      {
-        rank[order[i]] = i;
-        result.list.push_back(pieces[order[i]]);
-      }
-    result.of_cell = std::move(piece_of_cell);
-    for (std::uint32_t &piece : result.of_cell)
-      if (piece != invalid_index)
-        piece = rank[piece];
+    std::map<GlobalCellIndex, std::uint32_t> numbers;
+    for (const GlobalCellIndex label : from_bytes<GlobalCellIndex>(bytes))
+      numbers.emplace(label, numbers.size());
+    std::vector<std::uint32_t> result;
+    for (const GlobalCellIndex label : labels.of_cell)
+      result.push_back(label == invalid_index ? invalid_index :
+                                                numbers.at(label));
     return result;
   }
 
+  std::vector<Fragment>
+  list_fragments(const Topology                     &topology,
+                 const ReferenceCellData            &reference,
+                 const std::vector<double>          &densities,
+                 const State                        &state,
+                 const std::vector<Vector3<double>> &velocity,
+                 const Communicator                 &communicator)
+  {
+    // Number of cells, volume, mass, moment and momentum.
+    const auto terms = [&](const CellIndex cell) {
+      const double    volume   = volume_of(reference, cell);
+      const double    mass     = densities[topology.material(cell)] * volume;
+      Vector3<double> position = {{0, 0, 0}}, speed = {{0, 0, 0}};
+      for (unsigned int c = 0; c < n_corners; ++c)
+        {
+          const NodeIndex node = topology.node(cell, c);
+          position += state.position(node);
+          speed += velocity[node];
+        }
+      const Vector3<double> moment   = (mass / n_corners) * position;
+      const Vector3<double> momentum = (mass / n_corners) * speed;
+      return std::array<double, 9>{{1,
+                                    volume,
+                                    mass,
+                                    moment[0],
+                                    moment[1],
+                                    moment[2],
+                                    momentum[0],
+                                    momentum[1],
+                                    momentum[2]}};
+    };
+    const auto sums =
+      collect(contributions<9>(label_fragments(topology, communicator), terms),
+              communicator);
+    std::vector<Fragment> list;
+    for (const GlobalCellIndex label : order_by_mass(sums, 2))
+      {
+        const auto &s = sums.at(label);
+        list.push_back({static_cast<std::size_t>(s[0]),
+                        s[1],
+                        s[2],
+                        {{s[3] / s[2], s[4] / s[2], s[5] / s[2]}},
+                        {{s[6] / s[2], s[7] / s[2], s[8] / s[2]}}});
+      }
+    return list;
+  }
+
   void
-  write_fragments(const std::string &path, const Fragments &fragments)
+  write_fragments(const std::string           &path,
+                  const std::vector<Fragment> &fragments)
   {
     HistoryFile file(path,
                      {"fragment",
@@ -121,7 +215,7 @@ namespace rift
                       "velocity y [m/s]",
                       "velocity z [m/s]"});
     double      number = 0;
-    for (const Fragment &f : fragments.list)
+    for (const Fragment &f : fragments)
       file.append({number++,
                    static_cast<double>(f.n_cells),
                    f.volume,

@@ -21,6 +21,27 @@ namespace rift
           return "Pa";
         }
     }
+
+    /** Shape functions of the corners of a cell at a point of the undeformed
+     * body. */
+    std::array<double, n_corners>
+    shape_functions(const Topology          &topology,
+                    const ReferenceCellData &reference,
+                    const State             &state,
+                    const CellIndex          cell,
+                    const Vector3<double>   &point)
+    {
+      const ReferenceBatch &batch = reference[cell / batch_size];
+      const Vector3<double> from_corner =
+        point - state.reference[topology.node(cell, 0)].vector();
+      std::array<double, n_corners> shape = {{1, 0, 0, 0}};
+      for (unsigned int c = 1; c < n_corners; ++c)
+        {
+          shape[c] = dot(batch.gradient(c, cell % batch_size), from_corner);
+          shape[0] -= shape[c];
+        }
+      return shape;
+    }
   } // namespace
 
   std::vector<Vector3<double>>
@@ -37,20 +58,22 @@ namespace rift
                const ReferenceCellData &reference,
                const State             &state,
                const ProbeParameters   &the_parameters,
-               const Surface           &surface)
+               const Surface           &surface,
+               const Communicator      &communicator)
     : parameters(the_parameters)
     , header_text(parameters.name + " [" + unit_of(parameters.field) + "]")
   {
     if (parameters.boundary.empty())
-      find_point(topology, reference, state);
+      find_point(topology, reference, state, communicator);
     else
-      weigh_surface(reference, surface);
+      weigh_surface(topology, reference, surface, communicator);
   }
 
   void
   Probe::find_point(const Topology          &topology,
                     const ReferenceCellData &reference,
-                    const State             &state)
+                    const State             &state,
+                    const Communicator      &communicator)
   {
     // The cell whose smallest shape function at the point is largest: inside
     // of a cell all are positive, on a face the first cell is as good as any.
@@ -59,17 +82,10 @@ namespace rift
     Sample           found{invalid_index, {}};
     for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
       {
-        if (topology.is_padding(cell))
+        if (!topology.owns_cell(cell))
           continue;
-        const ReferenceBatch &batch = reference[cell / batch_size];
-        const Vector3<double> from_corner =
-          parameters.point - state.reference[topology.node(cell, 0)].vector();
-        std::array<double, n_corners> shape = {{1, 0, 0, 0}};
-        for (unsigned int c = 1; c < n_corners; ++c)
-          {
-            shape[c] = dot(batch.gradient(c, cell % batch_size), from_corner);
-            shape[0] -= shape[c];
-          }
+        const auto shape =
+          shape_functions(topology, reference, state, cell, parameters.point);
         const double smallest = *std::min_element(shape.begin(), shape.end());
         if (smallest > best)
           {
@@ -77,45 +93,60 @@ namespace rift
             found = {cell, shape};
           }
       }
-    if (found.cell == invalid_index)
+
+    // Among the best of each rank that of the smallest global index.
+    constexpr double none = -1. * invalid_index;
+    const bool       is_best =
+      communicator.max(best) == best && found.cell != invalid_index;
+    const double index =
+      is_best ? -1. * topology.cell_global_indices[found.cell] : none;
+    const double first = communicator.max(index);
+    if (first == none)
       throw InputError("the point (" + to_text(parameters.point[0]) + ", " +
                        to_text(parameters.point[1]) + ", " +
                        to_text(parameters.point[2]) +
                        ") m of subsection \"Probe " + parameters.name +
                        "\" lies in no cell of the mesh. Move it into the body; "
                        "coordinates are in metres.");
-    samples.push_back(found);
+    if (is_best && index == first)
+      samples.push_back(found);
   }
 
   void
-  Probe::weigh_surface(const ReferenceCellData &reference,
-                       const Surface           &surface)
+  Probe::weigh_surface(const Topology          &topology,
+                       const ReferenceCellData &reference,
+                       const Surface           &surface,
+                       const Communicator      &communicator)
   {
-    double total = 0;
+    ExactSum total;
     for (const CellFace &face : surface)
       {
+        if (!topology.owns_cell(face.cell))
+          continue;
         const double area =
           norm(reference_area_vector(reference, face.cell, face.local_face));
         Sample sample{face.cell, {}};
         for (const unsigned int c : face_corners[face.local_face])
           sample.weights[c] = area / 3;
         samples.push_back(sample);
-        total += area;
+        total.add(area);
       }
+    ExactSum::sum_over_ranks({&total}, communicator);
+    const double total_area = total.value();
     for (Sample &sample : samples)
       for (double &weight : sample.weights)
-        weight /= total;
+        weight /= total_area;
   }
 
-  double
-  Probe::value(const Topology                     &topology,
-               const InternalForce                &internal_force,
-               const State                        &state,
-               const std::vector<Vector3<double>> &velocity) const
+  ExactSum
+  Probe::sum(const Topology                     &topology,
+             const InternalForce                &internal_force,
+             const State                        &state,
+             const std::vector<Vector3<double>> &velocity) const
   {
     using Field = ProbeParameters::Field;
 
-    double sum = 0;
+    ExactSum result;
     for (const Sample &sample : samples)
       if (parameters.field == Field::stress ||
           parameters.field == Field::pressure)
@@ -125,19 +156,40 @@ namespace rift
           for (const double w : sample.weights)
             weight += w;
           const auto s = internal_force.cauchy_stress(state, sample.cell);
-          sum += weight * (parameters.field == Field::stress ?
-                             s[parameters.component] :
-                             -(s[0] + s[1] + s[2]) / 3);
+          result.add(weight * (parameters.field == Field::stress ?
+                                 s[parameters.component] :
+                                 -(s[0] + s[1] + s[2]) / 3));
         }
       else
         for (unsigned int c = 0; c < n_corners; ++c)
           {
             const NodeIndex node = topology.node(sample.cell, c);
-            sum += sample.weights[c] *
-                   (parameters.field == Field::velocity ?
-                      velocity[node][parameters.component] :
-                      state.displacement[node][parameters.component]);
+            result.add(sample.weights[c] *
+                       (parameters.field == Field::velocity ?
+                          velocity[node][parameters.component] :
+                          state.displacement[node][parameters.component]));
           }
-    return sum;
+    return result;
+  }
+
+  std::vector<double>
+  probe_values(const std::vector<Probe>           &probes,
+               const Topology                     &topology,
+               const InternalForce                &internal_force,
+               const State                        &state,
+               const std::vector<Vector3<double>> &velocity,
+               const Communicator                 &communicator)
+  {
+    std::vector<ExactSum> sums;
+    for (const Probe &probe : probes)
+      sums.push_back(probe.sum(topology, internal_force, state, velocity));
+    std::vector<ExactSum *> pointers;
+    for (ExactSum &sum : sums)
+      pointers.push_back(&sum);
+    ExactSum::sum_over_ranks(pointers, communicator);
+    std::vector<double> values;
+    for (const ExactSum &sum : sums)
+      values.push_back(sum.value());
+    return values;
   }
 } // namespace rift

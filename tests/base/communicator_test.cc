@@ -83,6 +83,28 @@ TEST(Communicator, FirstOfRanks)
             10u - all.size());
 }
 
+TEST(Communicator, TextsInTurn)
+{
+  const Communicator       all(MPI_COMM_WORLD);
+  std::vector<std::string> expected, taken;
+  for (int rank = 0; rank < all.size(); ++rank)
+    expected.push_back(text_of(rank));
+  all.gather_in_turn(text_of(all.rank()),
+                     [&](const std::string &text) { taken.push_back(text); });
+  EXPECT_EQ(taken, all.is_root() ? expected : std::vector<std::string>());
+}
+
+TEST(Communicator, NeighboursExchange)
+{
+  // Each rank tells the next one.
+  const Communicator all(MPI_COMM_WORLD);
+  const int          next     = (all.rank() + 1) % all.size();
+  const int          last     = (all.rank() + all.size() - 1) % all.size();
+  const auto         received = all.exchange({{next, text_of(all.rank())}});
+  ASSERT_EQ(received.size(), 1u);
+  EXPECT_EQ(received.at(last), text_of(last));
+}
+
 TEST(Communicator, AllThrowTheErrorOfTheLowestRank)
 {
   const Communicator all(MPI_COMM_WORLD);

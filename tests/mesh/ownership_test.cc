@@ -1,8 +1,6 @@
 // Who owns what, over random partitions of random bodies.
 
-#include "../support/distributed_body.h"
-#include "../support/random_cuts.h"
-#include <gtest/gtest.h>
+#include "../support/divided_body.h"
 
 using namespace rift;
 using namespace rift::test;
@@ -10,9 +8,9 @@ using namespace rift::test;
 namespace
 {
   /** All ranks' views of one body. */
-  struct DividedBody
+  struct AllParts
   {
-    explicit DividedBody(const unsigned int seed)
+    explicit AllParts(const unsigned int seed)
       : random(seed)
     {
       body = random_body(random);
@@ -33,31 +31,6 @@ namespace
     std::vector<DiscreteBody> bodies;
   };
 
-  /** The corners of a face, ascending in the numbering of the whole body. */
-  Triangle
-  global_triangle(const Topology                 &topology,
-                  const FaceIndex                 face,
-                  const std::vector<VertexIndex> &global_vertices)
-  {
-    Triangle t = triangle_of(topology, face);
-    for (VertexIndex &v : t)
-      v = global_vertices[v];
-    std::sort(t.begin(), t.end());
-    return t;
-  }
-
-  void
-  cut_triangles(Topology                       &topology,
-                const std::set<Triangle>       &cuts,
-                const std::vector<VertexIndex> &global_vertices)
-  {
-    std::vector<FaceIndex> faces;
-    for (FaceIndex face = 0; face < topology.faces.size(); ++face)
-      if (cuts.count(global_triangle(topology, face, global_vertices)) > 0)
-        faces.push_back(face);
-    split_nodes(topology, faces);
-  }
-
   class Ownership : public testing::TestWithParam<unsigned int>
   {
   };
@@ -65,8 +38,8 @@ namespace
 
 TEST_P(Ownership, EachCellHasOneOwner)
 {
-  const DividedBody divided(GetParam());
-  std::vector<int>  n_owners(divided.body.cells.size(), 0);
+  const AllParts   divided(GetParam());
+  std::vector<int> n_owners(divided.body.cells.size(), 0);
   for (std::size_t rank = 0; rank < divided.parts.size(); ++rank)
     {
       const Topology &topology = divided.bodies[rank].topology;
@@ -90,7 +63,7 @@ TEST_P(Ownership, EachCellHasOneOwner)
 TEST_P(Ownership, EachNodeHasOneOwner)
 {
   // Each of the nodes at a vertex, with nothing cut and with much.
-  DividedBody        divided(GetParam());
+  AllParts           divided(GetParam());
   DiscreteBody       whole = discretize(divided.body, densities);
   std::set<Triangle> cuts;
   for (FaceIndex face = 0; face < whole.topology.faces.size(); ++face)
@@ -107,18 +80,21 @@ TEST_P(Ownership, EachNodeHasOneOwner)
   EXPECT_EQ(n_owned(), whole.topology.n_nodes());
 
   for (std::size_t rank = 0; rank < divided.parts.size(); ++rank)
-    cut_triangles(divided.bodies[rank].topology,
-                  cuts,
-                  divided.parts[rank].global_vertices);
-  std::vector<VertexIndex> same(whole.topology.n_vertices());
-  std::iota(same.begin(), same.end(), VertexIndex{0});
-  cut_triangles(whole.topology, cuts, same);
+    {
+      Topology &topology = divided.bodies[rank].topology;
+      split_nodes(
+        topology,
+        faces_at(topology, cuts, divided.parts[rank].global_vertices));
+    }
+  split_nodes(
+    whole.topology,
+    faces_at(whole.topology, cuts, identity(whole.topology.n_vertices())));
   EXPECT_EQ(n_owned(), whole.topology.n_nodes());
 }
 
 TEST_P(Ownership, EachFaceHasOneOwnerWhichSeesBothSides)
 {
-  const DividedBody       divided(GetParam());
+  const AllParts          divided(GetParam());
   const DiscreteBody      whole = discretize(divided.body, densities);
   std::map<Triangle, int> n_owners;
   for (FaceIndex face = 0; face < whole.topology.faces.size(); ++face)
@@ -142,7 +118,7 @@ TEST_P(Ownership, EachFaceHasOneOwnerWhichSeesBothSides)
 
 TEST_P(Ownership, CompleteVerticesHaveAllTheirCells)
 {
-  const DividedBody  divided(GetParam());
+  const AllParts     divided(GetParam());
   const DiscreteBody whole = discretize(divided.body, densities);
   std::vector<int>   n_complete(whole.topology.n_vertices(), 0);
   for (std::size_t rank = 0; rank < divided.parts.size(); ++rank)

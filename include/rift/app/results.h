@@ -29,7 +29,8 @@ namespace rift
 
   /**
    * The files of a run. Each is written when it is due, none that was not
-   * asked for.
+   * asked for. All ranks call the functions together; histories, the summary
+   * and the like come from rank 0 alone.
    */
   class Results
   {
@@ -53,7 +54,7 @@ namespace rift
     bool
     is_open() const
     {
-      return energy_file.has_value();
+      return was_opened;
     }
 
     /** Whether a row of the histories is due at this time. */
@@ -85,19 +86,29 @@ namespace rift
     finish(const Snapshot &snapshot, Summary summary);
 
   private:
+    /** What open() does on rank 0. */
+    void
+    open_files(const Parameters &parameters, Log &log);
+
     std::string
     path(const std::string &file) const
     {
       return directory + "/" + file;
     }
 
-    const std::string directory;
-    const double      solution_interval, history_interval;
-    std::uint64_t     n_solutions = 0, n_rows = 0;
-    const std::size_t initial_nodes;
+    const Communicator communicator;
+    const std::string  directory;
+    const double       solution_interval, history_interval;
+    const int          ranks_per_file;
+    bool               was_opened  = false;
+    std::uint64_t      n_solutions = 0, n_rows = 0;
+    const std::size_t  initial_nodes;
 
-    std::vector<Probe>            probes;
-    std::optional<HistoryFile>    probes_file, energy_file;
+    std::vector<Probe> probes;
+
+    /** On rank 0. */
+    std::optional<HistoryFile> probes_file, energy_file;
+
     std::optional<SolutionSeries> solid, fracture;
   };
 } // namespace rift

@@ -116,6 +116,14 @@ namespace rift
     receive(int from) const;
 
     /**
+     * Calls `take` on rank 0 with the bytes of each rank, however many, in the
+     * order of the ranks; one of them is in memory at a time. Collective.
+     */
+    void
+    gather_in_turn(const std::string                              &bytes,
+                   const std::function<void(const std::string &)> &take) const;
+
+    /**
      * Calls `f` on each rank; where it throws an Error on any of them, all
      * throw that of the lowest rank. Collective.
      */

@@ -1,6 +1,7 @@
 #ifndef rift_io_fragments_h
 #define rift_io_fragments_h
 
+#include <rift/base/communicator.h>
 #include <rift/discretization/reference_cell_data.h>
 #include <rift/discretization/state.h>
 
@@ -9,7 +10,10 @@
 
 namespace rift
 {
-  /** A piece of the body: cells that hang together by unbroken faces. */
+  /**
+   * A piece of the body: cells that hang together by unbroken faces. Faces
+   * whose cohesive element has not failed still hold two cells together.
+   */
   struct Fragment
   {
     std::size_t n_cells = 0;
@@ -21,31 +25,39 @@ namespace rift
     Vector3<double> centre = {{0, 0, 0}}, velocity = {{0, 0, 0}};
   };
 
-  struct Fragments
-  {
-    /** By mass, the largest first; equal ones by their first cell. */
-    std::vector<Fragment> list;
-
-    /** For each cell slot the position of its fragment in the list. */
-    std::vector<std::uint32_t> of_cell;
-  };
+  // Both functions sum without rounding: their results do not depend on how
+  // the body is divided among the ranks.
 
   /**
-   * Finds the pieces. Faces whose cohesive element has not failed still hold
-   * two cells together.
+   * For each cell slot that this rank owns the position of its fragment in
+   * list_fragments(); invalid_index for others. Collective.
+   *
+   * @param densities kg/m^3 of each material.
+   */
+  std::vector<std::uint32_t>
+  number_fragments(const Topology            &topology,
+                   const ReferenceCellData   &reference,
+                   const std::vector<double> &densities,
+                   const Communicator        &communicator);
+
+  /**
+   * All fragments by mass, the largest first; equal ones by their first cell.
+   * On rank 0; the others get an empty list. Collective.
    *
    * @param velocity of each node at the time of `state`, m/s.
    */
-  Fragments
-  find_fragments(const Topology                     &topology,
+  std::vector<Fragment>
+  list_fragments(const Topology                     &topology,
                  const ReferenceCellData            &reference,
                  const std::vector<double>          &densities,
                  const State                        &state,
-                 const std::vector<Vector3<double>> &velocity);
+                 const std::vector<Vector3<double>> &velocity,
+                 const Communicator                 &communicator);
 
   /** Writes fragments.csv. */
   void
-  write_fragments(const std::string &path, const Fragments &fragments);
+  write_fragments(const std::string           &path,
+                  const std::vector<Fragment> &fragments);
 } // namespace rift
 
 #endif

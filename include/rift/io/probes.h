@@ -1,6 +1,8 @@
 #ifndef rift_io_probes_h
 #define rift_io_probes_h
 
+#include <rift/base/communicator.h>
+#include <rift/base/exact_sum.h>
 #include <rift/discretization/reference_cell_data.h>
 #include <rift/discretization/state.h>
 #include <rift/io/output_parameters.h>
@@ -15,12 +17,15 @@ namespace rift
   /**
    * One number of the solution over time: a component of a field at a point of
    * the undeformed body, interpolated in the cell that holds it, or averaged
-   * over a surface by undeformed area.
+   * over a surface by undeformed area. A rank computes the part of the cells
+   * that it owns; the sum over the ranks does not depend on who owns what.
    */
   class Probe
   {
   public:
     /**
+     * Collective.
+     *
      * @param surface where the parameters name a boundary: its faces.
      * @throws InputError if the point lies in no cell.
      */
@@ -28,7 +33,8 @@ namespace rift
           const ReferenceCellData &reference,
           const State             &state,
           const ProbeParameters   &parameters,
-          const Surface           &surface);
+          const Surface           &surface,
+          const Communicator      &communicator);
 
     /** Name and unit: "fspv [m/s]". */
     const std::string &
@@ -37,33 +43,50 @@ namespace rift
       return header_text;
     }
 
-    /** @param velocity of each node at the time of `state`, m/s. */
-    double
-    value(const Topology                     &topology,
-          const InternalForce                &internal_force,
-          const State                        &state,
-          const std::vector<Vector3<double>> &velocity) const;
+    /**
+     * The part of this rank in the value.
+     *
+     * @param velocity of each node at the time of `state`, m/s.
+     */
+    ExactSum
+    sum(const Topology                     &topology,
+        const InternalForce                &internal_force,
+        const State                        &state,
+        const std::vector<Vector3<double>> &velocity) const;
 
   private:
-    void
-    find_point(const Topology          &topology,
-               const ReferenceCellData &reference,
-               const State             &state);
-
-    void
-    weigh_surface(const ReferenceCellData &reference, const Surface &surface);
-
-    /** A corner of a cell and its share in the value. */
+    /** A cell, and the shares of its corners in the value. */
     struct Sample
     {
       CellIndex                     cell;
       std::array<double, n_corners> weights;
     };
 
+    void
+    find_point(const Topology          &topology,
+               const ReferenceCellData &reference,
+               const State             &state,
+               const Communicator      &communicator);
+
+    void
+    weigh_surface(const Topology          &topology,
+                  const ReferenceCellData &reference,
+                  const Surface           &surface,
+                  const Communicator      &communicator);
+
     ProbeParameters     parameters;
     std::string         header_text;
     std::vector<Sample> samples;
   };
+
+  /** The values of all probes, on all ranks. Collective. */
+  std::vector<double>
+  probe_values(const std::vector<Probe>           &probes,
+               const Topology                     &topology,
+               const InternalForce                &internal_force,
+               const State                        &state,
+               const std::vector<Vector3<double>> &velocity,
+               const Communicator                 &communicator);
 
   /**
    * Velocity of each node at t_n, m/s: half a kick after that of

@@ -1,9 +1,9 @@
 #ifndef rift_io_solution_fields_h
 #define rift_io_solution_fields_h
 
+#include <rift/base/communicator.h>
 #include <rift/cohesive/cohesive_force.h>
 #include <rift/discretization/state.h>
-#include <rift/io/fragments.h>
 #include <rift/io/vtu_output.h>
 #include <rift/solid/internal_force.h>
 
@@ -13,31 +13,38 @@
 namespace rift
 {
   /**
-   * The body as it is now: displacement and velocity of the nodes, Cauchy
-   * stress, material and fragment of the cells.
+   * The cells that this rank owns as they are now: displacement and velocity of
+   * their nodes, Cauchy stress, material and fragment.
+   *
+   * @param fragments number for each cell slot; see number_fragments().
    */
   Solution
   solid_solution(const Topology                     &topology,
                  const State                        &state,
                  const InternalForce                &internal_force,
                  const std::vector<Vector3<double>> &velocity,
-                 const Fragments                    &fragments);
+                 const std::vector<std::uint32_t>   &fragments);
 
   /**
-   * The cohesive elements that have begun to open, each a triangle halfway
-   * between its sides: damage, mode (0: opening, 1: sliding), opening, slip,
-   * normal and shear traction as means over the Gauss points, times of
+   * The cohesive elements of this rank that have begun to open, each a triangle
+   * halfway between its sides: damage, mode (0: opening, 1: sliding), opening,
+   * slip, normal and shear traction as means over the Gauss points, times of
    * insertion and of failure (-1: has not failed).
    */
   Solution
-  fracture_solution(const State &state, const CohesiveForce &cohesive_force);
+  fracture_solution(const Topology      &topology,
+                    const State         &state,
+                    const CohesiveForce &cohesive_force);
 
   /**
-   * Hash of displacements and velocities of all corners of all cells in canonical
-   * order, as hexadecimal text: equal if and only if two states are.
+   * Hash of displacements and velocities of all corners of all cells, as
+   * hexadecimal text: equal if and only if two states are, on any number of
+   * ranks. Collective.
    */
   std::string
-  state_hash(const Topology &topology, const State &state);
+  state_hash(const Topology     &topology,
+             const State        &state,
+             const Communicator &communicator = {});
 } // namespace rift
 
 #endif

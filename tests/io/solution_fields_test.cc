@@ -1,0 +1,205 @@
+// What is written for ParaView, and the hash, on several ranks.
+
+#include <rift/base/bytes.h>
+#include <rift/io/fragments.h>
+#include <rift/io/solution_fields.h>
+
+#include "../cohesive/breaking_body.h"
+#include "../support/divided_body.h"
+
+using namespace rift;
+using namespace rift::test;
+
+namespace
+{
+  const Communicator this_rank_alone;
+
+  std::vector<MaterialParameters>
+  two_granites()
+  {
+    std::vector<MaterialParameters> materials = {granite(), granite()};
+    for (unsigned int i = 0; i < 2; ++i)
+      materials[i].density = densities[i];
+    return materials;
+  }
+
+  /**
+   * A row for each cell with all that the file tells of it, in order: sets of
+   * cells can then be compared however they are divided.
+   */
+  std::vector<std::string>
+  rows(const Solution &piece)
+  {
+    std::vector<std::string> result;
+    for (std::size_t cell = 0; cell < piece.cells.size() / piece.nodes_per_cell;
+         ++cell)
+      {
+        std::string row;
+        const auto add = [&row](const OutputField &field, const std::size_t i) {
+          const auto begin = field.values.begin() + i * field.n_components;
+          row +=
+            to_bytes(std::vector<float>(begin, begin + field.n_components));
+        };
+        for (unsigned int c = 0; c < piece.nodes_per_cell; ++c)
+          {
+            const NodeIndex point =
+              piece.cells[cell * piece.nodes_per_cell + c];
+            const auto &x = piece.points.at(point);
+            row += to_bytes(std::vector<double>(x.begin(), x.end()));
+            for (const OutputField &field : piece.point_data)
+              add(field, point);
+          }
+        for (const OutputField &field : piece.cell_data)
+          add(field, cell);
+        result.push_back(row);
+      }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  std::size_t
+  row_length(const Solution &piece)
+  {
+    std::size_t of_point = sizeof(Vector3<double>), of_cell = 0;
+    for (const OutputField &field : piece.point_data)
+      of_point += field.n_components * sizeof(float);
+    for (const OutputField &field : piece.cell_data)
+      of_cell += field.n_components * sizeof(float);
+    return piece.nodes_per_cell * of_point + of_cell;
+  }
+
+  /** The rows of all ranks, on all ranks. */
+  std::vector<std::string>
+  all_rows(const Solution &piece, const Communicator &communicator)
+  {
+    std::string own;
+    for (const std::string &row : rows(piece))
+      own += row;
+    std::vector<std::string> result;
+    for (const std::string &of_rank : communicator.all_gather(own))
+      for (std::size_t i = 0; i < of_rank.size(); i += row_length(piece))
+        result.push_back(of_rank.substr(i, row_length(piece)));
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  void
+  expect_no_unused_points(const Solution &piece)
+  {
+    const std::set<NodeIndex> used(piece.cells.begin(), piece.cells.end());
+    EXPECT_EQ(used.size(), piece.points.size());
+  }
+
+  Solution
+  solid(const DiscreteBody &body, const Communicator &communicator)
+  {
+    const InternalForce force(body.topology,
+                              body.reference,
+                              laws_of(two_granites()));
+    return solid_solution(
+      body.topology,
+      body.state,
+      force,
+      velocities(body.state),
+      number_fragments(body.topology, body.reference, densities, communicator));
+  }
+
+  /** All faces that are cut have begun to open and have been worked on. */
+  Solution
+  fracture(DiscreteBody &body)
+  {
+    const FaceStrengths        strengths(body.topology, two_granites(), {});
+    CohesiveForce              force(body.topology,
+                        body.reference,
+                        strengths,
+                        stiffnesses_of(two_granites()),
+                        densities,
+                        1e12);
+    std::vector<OpeningCorner> openings;
+    for (FaceIndex face = 0; face < body.topology.faces.size(); ++face)
+      for (std::uint8_t c = 0;
+           c < 3 && body.topology.face_states[face] != FaceState::intact;
+           ++c)
+        openings.push_back({face, c, {{0, 0, 0}}});
+    force.start_openings(body.state, openings);
+    force.add_to(body.state);
+    return fracture_solution(body.topology, body.state, force);
+  }
+
+  std::string
+  hash(const DiscreteBody &body, const Communicator &communicator)
+  {
+    return state_hash(body.topology, body.state, communicator);
+  }
+} // namespace
+
+TEST(SolutionFields, PiecesMakeTheWholeSolid)
+{
+  const Communicator all(MPI_COMM_WORLD);
+  for (unsigned int seed = 0; seed < 40; ++seed)
+    {
+      const DividedBody divided(seed, all);
+      const Solution    piece = solid(divided.local, all);
+      expect_no_unused_points(piece);
+      EXPECT_EQ(piece.cells.size() / 4, divided.local.topology.n_owned_cells());
+      EXPECT_EQ(all_rows(piece, all),
+                rows(solid(divided.whole, this_rank_alone)))
+        << "seed " << seed;
+    }
+}
+
+TEST(SolutionFields, PiecesMakeTheWholeFracture)
+{
+  const Communicator all(MPI_COMM_WORLD);
+  for (unsigned int seed = 0; seed < 40; ++seed)
+    {
+      DividedBody    divided(seed, all);
+      const Solution piece = fracture(divided.local);
+      expect_no_unused_points(piece);
+      const auto expected = rows(fracture(divided.whole));
+      EXPECT_EQ(expected.size(), divided.cuts.size());
+      EXPECT_EQ(all_rows(piece, all), expected) << "seed " << seed;
+    }
+}
+
+TEST(StateHash, IsTheSameOnAnyNumberOfRanks)
+{
+  const Communicator    all(MPI_COMM_WORLD);
+  std::set<std::string> hashes;
+  for (unsigned int seed = 0; seed < 40; ++seed)
+    {
+      const DividedBody divided(seed, all);
+      EXPECT_EQ(hash(divided.local, all), hash(divided.whole, this_rank_alone));
+      EXPECT_EQ(hash(divided.local, all).size(), 32u);
+      hashes.insert(hash(divided.local, all));
+    }
+  EXPECT_EQ(hashes.size(), 40u);
+}
+
+TEST(StateHash, TellsStatesApart)
+{
+  // Each cell has nodes of its own.
+  std::mt19937 random(1);
+  DiscreteBody body = discretize(make_box({2, 2, 1}), densities);
+  cut(body, shuffled_faces(body.topology, random));
+  move_at_random(body.state, random);
+  const std::string before = hash(body, this_rank_alone);
+
+  // One bit of a displacement, and of a velocity.
+  for (auto *vector : {&body.state.displacement, &body.state.velocity})
+    {
+      double      &number = vector->back()[1];
+      const double former = number;
+      number              = std::nextafter(number, 1);
+      EXPECT_NE(hash(body, this_rank_alone), before);
+      number = former;
+      EXPECT_EQ(hash(body, this_rank_alone), before);
+    }
+
+  // The same numbers, but of two cells that have changed places.
+  for (unsigned int c = 0; c < n_corners; ++c)
+    for (auto *vector : {&body.state.displacement, &body.state.velocity})
+      std::swap((*vector)[body.topology.node(0, c)],
+                (*vector)[body.topology.node(1, c)]);
+  EXPECT_NE(hash(body, this_rank_alone), before);
+}
