@@ -36,7 +36,8 @@ namespace
         break;
       case Action::run:
         rift::run_simulation(
-          rift::read_parameters(command.scene, command.overrides));
+          rift::read_parameters(command.scene, command.overrides),
+          command.restart);
         break;
       }
     if (speaks && !std::cout.flush())

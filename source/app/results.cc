@@ -53,7 +53,68 @@ namespace rift
               {"loads", e.loads},
               {"residual", ledger.residual()}};
     }
+
+    std::vector<std::string>
+    energy_columns()
+    {
+      std::vector<std::string> columns = {"time [s]"};
+      for (const auto &term : named_energies(EnergyLedger()))
+        columns.push_back(term.first + " [J]");
+      return columns;
+    }
+
+    using WrittenStates = std::vector<SolutionSeries::WrittenState>;
+
+    void
+    write_states(CheckpointFileWriter &file,
+                 const std::string    &name,
+                 const WrittenStates  &states)
+    {
+      std::vector<double>       times;
+      std::vector<std::int64_t> n_files;
+      for (const auto &state : states)
+        {
+          times.push_back(state.time);
+          n_files.push_back(state.n_files);
+        }
+      file.write("times of " + name, times);
+      file.write("files of " + name, n_files);
+    }
+
+    WrittenStates
+    read_states(const CheckpointFileReader &file, const std::string &name)
+    {
+      const auto    times   = file.read<double>("times of " + name);
+      const auto    n_files = file.read<std::int64_t>("files of " + name);
+      WrittenStates states;
+      for (std::size_t i = 0; i < times.size(); ++i)
+        states.push_back({times[i], static_cast<int>(n_files.at(i))});
+      return states;
+    }
   } // namespace
+
+  void
+  SavedResults::write(CheckpointFileWriter &file) const
+  {
+    file.write<std::uint64_t>(
+      "results", {n_solutions, n_rows, probes_length, energy_length});
+    write_states(file, "solid", solid);
+    write_states(file, "fracture", fracture);
+  }
+
+  SavedResults
+  SavedResults::read(const CheckpointFileReader &file)
+  {
+    const auto   numbers = file.read<std::uint64_t>("results");
+    SavedResults saved;
+    saved.n_solutions   = numbers.at(0);
+    saved.n_rows        = numbers.at(1);
+    saved.probes_length = numbers.at(2);
+    saved.energy_length = numbers.at(3);
+    saved.solid         = read_states(file, "solid");
+    saved.fracture      = read_states(file, "fracture");
+    return saved;
+  }
 
   Results::Results(const Parameters &parameters, const Body &body)
     : communicator(body.communicator)
@@ -82,13 +143,72 @@ namespace rift
   Results::open(const Parameters &parameters, Log &log)
   {
     communicator.on_root([&] { open_files(parameters, log); });
+    make_series(parameters);
+    was_opened = true;
+  }
+
+  void
+  Results::reopen(const Parameters   &parameters,
+                  const SavedResults &saved,
+                  Log                &log)
+  {
+    communicator.on_root([&] {
+      reopen_output_directory(directory);
+      log.reopen(path("log.txt"));
+      if (!probes.empty())
+        probes_file.emplace(path("probes.csv"),
+                            probe_columns(),
+                            saved.probes_length);
+      energy_file.emplace(path("energy.csv"),
+                          energy_columns(),
+                          saved.energy_length);
+    });
+    make_series(parameters);
+    if (solid)
+      solid->go_on_after(saved.solid);
+    if (fracture)
+      fracture->go_on_after(saved.fracture);
+    n_solutions = saved.n_solutions;
+    n_rows      = saved.n_rows;
+    was_opened  = true;
+  }
+
+  void
+  Results::make_series(const Parameters &parameters)
+  {
     if (solution_interval > 0)
       {
         solid.emplace(directory, "solid", communicator, ranks_per_file);
         if (parameters.cohesive.model != CohesiveParameters::Model::none)
           fracture.emplace(directory, "fracture", communicator, ranks_per_file);
       }
-    was_opened = true;
+  }
+
+  std::vector<std::string>
+  Results::probe_columns() const
+  {
+    std::vector<std::string> columns = {"time [s]"};
+    for (const Probe &probe : probes)
+      columns.push_back(probe.header());
+    return columns;
+  }
+
+  SavedResults
+  Results::synchronize()
+  {
+    SavedResults saved;
+    saved.n_solutions = n_solutions;
+    saved.n_rows      = n_rows;
+    communicator.on_root([&] {
+      if (probes_file)
+        saved.probes_length = probes_file->synchronize();
+      saved.energy_length = energy_file->synchronize();
+    });
+    if (solid)
+      saved.solid = solid->states();
+    if (fracture)
+      saved.fracture = fracture->states();
+    return saved;
   }
 
   void
@@ -101,16 +221,9 @@ namespace rift
                           std::string(parameters_marker) + "\n" +
                             used_parameters(parameters));
 
-    std::vector<std::string> columns = {"time [s]"};
-    for (const Probe &probe : probes)
-      columns.push_back(probe.header());
     if (!probes.empty())
-      probes_file.emplace(path("probes.csv"), columns);
-
-    columns = {"time [s]"};
-    for (const auto &term : named_energies(EnergyLedger()))
-      columns.push_back(term.first + " [J]");
-    energy_file.emplace(path("energy.csv"), columns);
+      probes_file.emplace(path("probes.csv"), probe_columns());
+    energy_file.emplace(path("energy.csv"), energy_columns());
   }
 
   bool

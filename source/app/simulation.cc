@@ -8,8 +8,6 @@
 #include <rift/mesh/partition.h>
 #include <rift/time_integration/central_difference.h>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -19,15 +17,6 @@ namespace rift
 {
   namespace
   {
-    /** Number of steps between two looks at the balance of energy. */
-    constexpr std::uint64_t balance_interval = 100;
-
-    /** Ranks ask each other about so often whether all goes well... */
-    constexpr double seconds_between_agreements = .5;
-
-    /** ... and after so many steps in any case. */
-    constexpr std::uint64_t largest_agreement_interval = 100;
-
     /** No body stands a step above the bound by this. */
     constexpr double largest_step_over_bound = 10;
 
@@ -52,26 +41,34 @@ namespace rift
       return laws;
     }
 
-    std::string
-    place_text(const Vector3<double> &x)
+    /** The rank of each cell; on rank 0. */
+    std::vector<int>
+    divide(const Parameters &parameters,
+           const MeshData   &mesh,
+           const int         n_ranks,
+           const Restart    *restart)
     {
-      return "(" + short_text(x[0]) + ", " + short_text(x[1]) + ", " +
-             short_text(x[2]) + ") m";
+      std::vector<double> costs;
+      if (restart != nullptr)
+        costs =
+          cell_costs(restart->state, mesh.cells.size(), restart->face_cost);
+      return partition_cells(mesh, n_ranks, parameters.mesh.partition, costs);
     }
   } // namespace
 
   Simulation::Simulation(const Parameters   &parameters,
                          Log                &log,
-                         const Communicator &communicator)
+                         const Communicator &communicator,
+                         const Restart      *restart)
     : parameters(parameters)
     , log(log)
-    , mesh(make_mesh(parameters, communicator))
-    , body(make_body(
-        parameters,
-        mesh,
-        partition_cells(mesh, communicator.size(), parameters.mesh.partition),
-        communicator,
-        log))
+    , mesh(restart != nullptr ? restart->mesh :
+                                make_mesh(parameters, communicator))
+    , body(make_body(parameters,
+                     mesh,
+                     divide(parameters, mesh, communicator.size(), restart),
+                     communicator,
+                     log))
     , densities(densities_of(body.materials))
     , laws(laws_of(body.materials))
     , internal_force(body.discretization.topology,
@@ -80,8 +77,14 @@ namespace rift
     , activity(body.discretization.topology)
     , results(parameters, body)
   {
-    choose_time_step();
+    choose_time_step(restart);
     make_modules();
+    if (restart != nullptr)
+      restore(*restart);
+    step_of_last_agreement = this->state().step;
+    first_step             = this->state().step;
+    saved_results = restart != nullptr ? std::optional(restart->results) :
+                                         std::nullopt;
     timer.stop("setup");
   }
 
@@ -142,7 +145,7 @@ namespace rift
   }
 
   void
-  Simulation::choose_time_step()
+  Simulation::choose_time_step(const Restart *restart)
   {
     std::vector<MaterialLimits> limits;
     for (std::size_t i = 0; i < body.materials.size(); ++i)
@@ -161,8 +164,9 @@ namespace rift
                                   body.communicator);
 
     const TimeParameters &time = parameters.time;
-    dt                         = time.time_step > 0 ? time.time_step :
-                                                      time.safety_factor * critical.time_step;
+    dt = restart != nullptr ? restart->time_step :
+         time.time_step > 0 ? time.time_step :
+                              time.safety_factor * critical.time_step;
     // A little tolerance, so that rounding does not add a step.
     const double n_steps = std::ceil(time.end_time / dt * (1 - 1e-12));
     if (!(dt > 0 && n_steps <= largest_number_of_steps))
@@ -173,8 +177,13 @@ namespace rift
                        ". Look at the end time, the time step, the stiffness "
                        "factor and the viscosities.");
     last_step = static_cast<std::uint64_t>(n_steps);
-    if (time.time_step == 0)
+    if (time.time_step == 0 && restart == nullptr)
       dt = time.end_time / last_step;
+ if (restart != nullptr && restart->manifest.step >= last_step)
+      throw InputError("the checkpoint is at t = " +
+                       to_text(restart->manifest.time) +
+                       " s, where the run ends. Raise \"End time\" in "
+                       "subsection Time to go on.");
     log.write("Time step " + short_text(dt) + " s, " +
               short_text(dt / critical.time_step) + " times the bound set by " +
               critical.limited_by + "; " + std::to_string(last_step) +
@@ -188,46 +197,6 @@ namespace rift
     if (dt > critical.time_step)
       log.write("WARNING: the time step is above the bound at which it is "
                 "sure to be stable");
-  }
-
-  void
-  Simulation::run()
-  {
-    results.open(parameters, log);
-    FlushDenormals flush_denormals;
-    Progress   progress(log, topology().n_cells(), 0, parameters.time.end_time);
-    const auto wall_start = timer.total();
-    while (state().step < last_step)
-      {
-        step();
-        progress.update(state().step, state().time);
-      }
-    step();
-    progress.finish();
-
-    Summary summary;
-    summary.time_step_limited_by = critical.limited_by;
-    summary.wall_seconds         = timer.total();
-    summary.cell_steps_per_second =
-      topology().n_cells() * state().step / (timer.total() - wall_start);
-    summary.wall_seconds_by_stage = timer.seconds();
-    FaceCounts faces;
-    if (fracture)
-      faces = fracture->force.count_faces(body.communicator);
-    summary.faces_inserted = faces.inserted;
-    summary.faces_broken   = faces.failed;
-    results.finish(snapshot(), summary);
-    log.write(
-      "Done: " + std::to_string(state().step) + " steps in " +
-      duration_text(timer.total()) + "; " + std::to_string(faces.inserted) +
-      " faces cut, largest residual of the energy ledger " +
-      short_text(ledger.largest_relative_residual()) + " of the energy put in");
-    if (faces.too_short > 0)
-      log.write("WARNING: " + std::to_string(faces.too_short) + " of " +
-                std::to_string(faces.opened) +
-                " opened faces need more than their fracture energy: the "
-                "elements are too large for these strengths and fracture "
-                "energies (doc/theory.md, section 4)");
   }
 
   void
@@ -355,210 +324,5 @@ namespace rift
       load.update_nodes();
     if (prescribed_motion)
       prescribed_motion->update_nodes();
-  }
-
-  void
-  Simulation::count_work()
-  {
-    for (SurfaceLoad &load : surface_loads)
-      load.count_work(state(), dt);
-    if (damping)
-      damping->count_work(state(), dt);
-  }
-
-  void
-  Simulation::balance_energy()
-  {
-    EnergySums sums;
-    sums.kinetic = kinetic_energy(topology(), state(), dt);
-    sums.strain  = internal_force.strain_energy(state());
-    if (fracture)
-      {
-        const CohesiveEnergy cohesive = fracture->force.energy();
-        sums.cohesive                 = cohesive.recoverable;
-        sums.fracture                 = cohesive.fracture;
-        sums.friction                 = cohesive.friction;
-      }
-    if (damping)
-      sums.damping = damping->work().sum();
-    for (SurfaceLoad &load : surface_loads)
-      sums.loads.add(load.work().sum());
-    if (prescribed_motion)
-      sums.loads.add(prescribed_motion->work().sum());
-    if (body_force)
-      sums.loads.add(body_force->work(topology(), state()));
-    ledger.enter(sums.total(body.communicator));
-
-    if (!(std::abs(ledger.relative_residual()) <=
-          parameters.time.largest_residual))
-      throw RunError(
-        "energy runs away: the balance is wrong by " +
-        short_text(ledger.residual()) + " J, " +
-        short_text(ledger.relative_residual()) +
-        " of the energy in play, more than the \"Largest energy residual\" "
-        "of " +
-        to_text(parameters.time.largest_residual) + ", at " + moment_text() +
-        "; " + fastest_node_text() +
-        ". Choose a smaller time step or safety factor (subsection Time).");
-  }
-
-  std::string
-  Simulation::fastest_node_text() const
-  {
-    struct Corner
-    {
-      double          square;
-      Vector3<double> position;
-      GlobalCellIndex cell;
-      unsigned int    corner;
-    };
-    const auto is_faster = [](const Corner &a, const Corner &b) {
-      return a.square > b.square ||
-             (a.square == b.square && std::make_pair(a.cell, a.corner) <
-                                        std::make_pair(b.cell, b.corner));
-    };
-    Corner fastest{-1, {{0, 0, 0}}, invalid_index, 0};
-    for (CellIndex cell = 0; cell < topology().n_cell_slots(); ++cell)
-      for (unsigned int c = 0; c < n_corners && topology().owns_cell(cell); ++c)
-        {
-          const NodeIndex       node = topology().node(cell, c);
-          const Vector3<double> v    = state().velocity[node].vector();
-          // What is not a number is faster than all numbers.
-          const Corner corner{std::isnan(dot(v, v)) ?
-                                std::numeric_limits<double>::infinity() :
-                                dot(v, v),
-                              state().position(node),
-                              topology().cell_global_indices[cell],
-                              c};
-          if (is_faster(corner, fastest))
-            fastest = corner;
-        }
-    fastest = body.communicator.first_of_ranks(fastest, is_faster);
-    return "the fastest node moves with " +
-           short_text(std::sqrt(fastest.square)) + " m/s at " +
-           place_text(fastest.position);
-  }
-
-  void
-  Simulation::write_due_results()
-  {
-    const bool is_last = state().step == last_step;
-    const bool history = results.is_history_due(state().time, dt) ||
-                         (is_last && results.is_open());
-    const bool solution = results.is_solution_due(state().time, dt);
-    if (history || solution || is_last || state().step >= next_agreement)
-      agree();
-    if (history || is_last || state().step % balance_interval == 0)
-      balance_energy();
-    if (history)
-      results.write_history(snapshot());
-    if (solution)
-      results.write_solution(snapshot());
-  }
-
-  Snapshot
-  Simulation::snapshot() const
-  {
-    return {body,
-            internal_force,
-            fracture ? &fracture->force : nullptr,
-            ledger,
-            dt};
-  }
-
-  std::string
-  Simulation::moment_text() const
-  {
-    return "step " + std::to_string(state().step) +
-           ", t = " + short_text(state().time) + " s, time step " +
-           short_text(dt / critical.time_step) + " times its safe bound";
-  }
-
-  void
-  Simulation::note_failure(const FailedCell &failed)
-  {
-    if (failure)
-      return;
-    Vector3<double> centre = {{0, 0, 0}};
-    for (unsigned int c = 0; c < n_corners; ++c)
-      centre +=
-        .25 * state().reference[topology().node(failed.cell, c)].vector();
-    const GlobalCellIndex cell = topology().cell_global_indices[failed.cell];
-    failure                    = Failure{
-      state().step,
-      cell,
-      "cell " + std::to_string(cell) + " of " +
-        body.materials[topology().material(failed.cell)].name + " at " +
-        place_text(centre) + " has " + short_text(failed.volume_ratio) +
-        " of its volume; below " +
-        to_text(InternalForce::smallest_volume_ratio) +
-        " the elastic law has no meaning. At " + moment_text() +
-        ". Choose a smaller time step or safety factor, or a weaker load."};
-  }
-
-  void
-  Simulation::agree()
-  {
-    enum
-    {
-      failed,
-      steps_to_next,
-      n_numbers
-    };
-    const auto                now = std::chrono::steady_clock::now();
-    std::vector<std::int64_t> numbers(n_numbers, 0);
-    numbers[failed] = failure ? 1 : 0;
-    if (body.communicator.is_root())
-      {
-        const double seconds =
-          std::chrono::duration<double>(now - last_agreement).count();
-        const double steps     = state().step - step_of_last_agreement;
-        numbers[steps_to_next] = static_cast<std::int64_t>(
-          std::clamp(steps * seconds_between_agreements / seconds,
-                     1.,
-                     1. * largest_agreement_interval));
-      }
-    body.communicator.sum(numbers);
-    last_agreement         = now;
-    step_of_last_agreement = state().step;
-    next_agreement         = state().step + numbers[steps_to_next];
-    if (numbers[failed] > 0)
-      stop_failed();
-  }
-
-  void
-  Simulation::stop_failed() const
-  {
-    // The first failure counts; several ranks may have seen it.
-    std::string own;
-    if (failure)
-      own = fmt::format("{:020}{:010}{}",
-                        failure->step,
-                        failure->cell,
-                        failure->message);
-    std::string first;
-    for (const std::string &one : body.communicator.all_gather(own))
-      if (!one.empty() && (first.empty() || one < first))
-        first = one;
-    throw RunError(first.substr(30));
-  }
-
-  void
-  validate_scene(std::ostream &out, const Parameters &parameters)
-  {
-    print_summary(out, parameters);
-    const Communicator communicator(MPI_COMM_WORLD);
-    Log                log(communicator.is_root() ? &out : nullptr);
-    Simulation(parameters, log, communicator);
-  }
-
-  void
-  run_simulation(const Parameters &parameters)
-  {
-    const Communicator communicator(MPI_COMM_WORLD);
-    Log log(communicator.is_root() ? &std::cout : nullptr, is_terminal());
-    if (!parameters.title.empty())
-      log.write(parameters.title);
-    Simulation(parameters, log, communicator).run();
   }
 } // namespace rift

@@ -31,6 +31,13 @@ namespace rift
                       "The newest checkpoints that are kept. With "
                       "more than one, a run can still go on when the files of "
                       "the newest are damaged.");
+    declare_number(prm,
+                   "Largest imbalance",
+                   defaults.largest_imbalance,
+                   "At a checkpoint the cells are divided among the ranks "
+                   "anew if the busiest rank computes longer than the mean by "
+                   "more than this fraction; 0: never. Results do not depend "
+                   "on it.");
     prm.leave_subsection();
   }
 
@@ -44,6 +51,7 @@ namespace rift
     result.interval_in_minutes = prm.get_double("Interval in minutes");
     result.n_sets =
       static_cast<unsigned int>(prm.get_integer("Number of sets"));
+    result.largest_imbalance = prm.get_double("Largest imbalance");
     prm.leave_subsection();
     return result;
   }
@@ -55,5 +63,9 @@ namespace rift
       throw ParameterError(section,
                            "Interval in minutes",
                            "this cannot be negative. Units: min.");
+    if (!(largest_imbalance >= 0))
+      throw ParameterError(section,
+                           "Largest imbalance",
+                           "this cannot be negative; 0 means never.");
   }
 } // namespace rift

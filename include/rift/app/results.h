@@ -4,6 +4,7 @@
 #include <rift/app/body.h>
 #include <rift/base/stage_timer.h>
 #include <rift/cohesive/cohesive_force.h>
+#include <rift/io/checkpoint_file.h>
 #include <rift/io/probes.h>
 #include <rift/io/summary.h>
 #include <rift/io/vtu_output.h>
@@ -25,6 +26,23 @@ namespace rift
 
     const EnergyLedger &ledger;
     double              time_step;
+  };
+
+  /** How far the files of a run have come, for a checkpoint. */
+  struct SavedResults
+  {
+    std::uint64_t n_solutions = 0, n_rows = 0;
+
+    /** Lengths of probes.csv and energy.csv in bytes. */
+    std::uint64_t probes_length = 0, energy_length = 0;
+
+    std::vector<SolutionSeries::WrittenState> solid, fracture;
+
+    void
+    write(CheckpointFileWriter &file) const;
+
+    static SavedResults
+    read(const CheckpointFileReader &file);
   };
 
   /**
@@ -50,6 +68,17 @@ namespace rift
      */
     void
     open(const Parameters &parameters, Log &log);
+
+    /**
+     * Like open(), but goes on after a restart: what is behind the checkpoint
+     * will be written again.
+     */
+    void
+    reopen(const Parameters &parameters, const SavedResults &saved, Log &log);
+
+    /** Brings the histories to the disk and says how far all has come. */
+    SavedResults
+    synchronize();
 
     bool
     is_open() const
@@ -89,6 +118,12 @@ namespace rift
     /** What open() does on rank 0. */
     void
     open_files(const Parameters &parameters, Log &log);
+
+    void
+    make_series(const Parameters &parameters);
+
+    std::vector<std::string>
+    probe_columns() const;
 
     std::string
     path(const std::string &file) const

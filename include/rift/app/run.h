@@ -18,9 +18,11 @@ namespace rift
   /**
    * Computes a scene from its mesh to its last result. Throws InputError,
    * RunError or DiskError for what the user can mend.
+   *
+   * @param is_restart goes on from the newest checkpoint instead.
    */
   void
-  run_simulation(const Parameters &parameters);
+  run_simulation(const Parameters &parameters, bool is_restart = false);
 } // namespace rift
 
 #endif

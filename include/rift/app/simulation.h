@@ -3,10 +3,13 @@
 
 #include <rift/app/body.h>
 #include <rift/app/parameters.h>
+#include <rift/app/restart.h>
 #include <rift/app/results.h>
+#include <rift/base/signals.h>
 #include <rift/base/stage_timer.h>
 #include <rift/cohesive/cohesive_force.h>
 #include <rift/cohesive/insertion.h>
+#include <rift/io/checkpoint_writer.h>
 #include <rift/loading/body_force.h>
 #include <rift/loading/prescribed_motion.h>
 #include <rift/loading/surface_load.h>
@@ -31,14 +34,35 @@ namespace rift
      *
      * @param log must outlive this object.
      * @param communicator of the ranks among which the body is divided.
+     * @param restart where to go on from; null: from the start.
      */
     Simulation(const Parameters   &parameters,
                Log                &log,
-               const Communicator &communicator = Communicator(MPI_COMM_WORLD));
+               const Communicator &communicator = Communicator(MPI_COMM_WORLD),
+               const Restart      *restart      = nullptr);
 
-    /** Opens the output directory, computes all steps, writes the results. */
-    void
+    /** How run() has ended. */
+    enum class End
+    {
+      done,
+
+      /** At a checkpoint, from which a simulation with a new division of the
+       * cells among the ranks is to go on. */
+      divide_anew
+    };
+
+    /**
+     * Opens the output directory, computes all steps, writes the results and,
+     * when due, checkpoints.
+     *
+     * @throws Error with ExitCode::stopped_by_signal, after a checkpoint.
+     */
+    End
     run();
+
+    /** Writes a checkpoint of the state between two steps. Collective. */
+    void
+    write_checkpoint();
 
     /**
      * Goes from t_n to t_(n+1); the last call stops before the kick, at the
@@ -110,7 +134,30 @@ namespace rift
     make_modules();
 
     void
-    choose_time_step();
+    choose_time_step(const Restart *restart);
+
+    /** Moves the intact body to where the checkpoint has it. */
+    void
+    restore(const Restart &restart);
+
+    /** The sums that a checkpoint must hold, always in the same order. */
+    std::vector<ExactSum *>
+    work_sums();
+
+    /** Time that a cohesive face takes in a step over that of a cell. */
+    double
+    face_cost() const;
+
+    /** Whether one rank computes too long while the others wait. Collective. */
+    bool
+    is_unbalanced();
+
+    [[noreturn]] void
+    stop() const;
+
+    /** Writes the last results. */
+    void
+    finish(double cell_steps_per_second);
 
     /** Cuts faces; returns the nodes that this has split. */
     TopologyChange
@@ -191,6 +238,17 @@ namespace rift
     std::uint64_t    last_step = 0;
     EnergyLedger     ledger;
     Results          results;
+
+    /** Where the files of a run before have come to. */
+    std::optional<SavedResults>     saved_results;
+    std::optional<CheckpointWriter> checkpoint_writer;
+
+    const StopSignals *stop_signals = nullptr;
+    bool               must_stop = false, is_checkpoint_due = false;
+    double             busy_before = 0;
+    std::uint64_t      first_step  = 0;
+
+    std::chrono::steady_clock::time_point last_checkpoint;
 
     std::optional<Failure>                failure;
     std::uint64_t                         next_agreement         = 0;

@@ -40,6 +40,16 @@ namespace rift
       return sums;
     }
 
+    /** Seconds of one stage. */
+    double
+    seconds_of(const std::string &stage) const
+    {
+      for (const auto &[name, sum] : sums)
+        if (name == stage)
+          return sum;
+      return 0;
+    }
+
     double
     total() const
     {

@@ -121,7 +121,7 @@ namespace rift
     void
     restore(const State &state, std::vector<CohesiveFaceRecord> records);
 
-    /** Energies at the last add_to().
+    /** Energies at the last add_to(), of the faces that this rank owns. */
     CohesiveEnergy
     energy() const;
 

@@ -22,6 +22,12 @@ namespace rift
     /** How many of the newest sets are kept, at least 1. */
     unsigned int n_sets = 2;
 
+    /**
+     * At a checkpoint the cells are divided among the ranks anew if the busiest
+     * computes longer than the mean by more than this fraction; 0: never.
+     */
+    double largest_imbalance = .3;
+
     /** Declares the entries of subsection Checkpoint. */
     static void
     declare(dealii::ParameterHandler &prm);
@@ -30,7 +36,7 @@ namespace rift
     static CheckpointParameters
     parse(dealii::ParameterHandler &prm);
 
-    /** Throws ParameterError for a negative interval. */
+    /** Throws ParameterError for a negative interval or imbalance. */
     void
     check() const;
   };

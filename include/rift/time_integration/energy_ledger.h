@@ -103,6 +103,29 @@ namespace rift
       return input > 0 ? residual() / input : 0;
     }
 
+    /** All that the ledger remembers, J, for a checkpoint. */
+    struct Record
+    {
+      Energies now;
+      double   initial, input, largest_residual, has_started;
+    };
+
+    Record
+    record() const
+    {
+      return {now, initial, input, largest_residual, has_started ? 1. : 0.};
+    }
+
+    void
+    restore(const Record &record)
+    {
+      now              = record.now;
+      initial          = record.initial;
+      input            = record.input;
+      largest_residual = record.largest_residual;
+      has_started      = record.has_started != 0;
+    }
+
     /** Largest relative residual of all times. */
     double
     largest_relative_residual() const

@@ -1,0 +1,338 @@
+#include <rift/app/run.h>
+#include <rift/app/simulation.h>
+#include <rift/base/exceptions.h>
+#include <rift/base/floating_point.h>
+#include <rift/base/number_text.h>
+#include <rift/base/parameter_text.h>
+#include <rift/io/progress.h>
+#include <rift/time_integration/central_difference.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <limits>
+
+// The loop over the steps and what watches over it.
+namespace rift
+{
+  namespace
+  {
+    /** Number of steps between two looks at the balance of energy. */
+    constexpr std::uint64_t balance_interval = 100;
+
+    /** Ranks ask each other about so often whether all goes well... */
+    constexpr double seconds_between_agreements = .5;
+
+    /** ... and after so many steps in any case. */
+    constexpr std::uint64_t largest_agreement_interval = 100;
+
+    std::string
+    place_text(const Vector3<double> &x)
+    {
+      return "(" + short_text(x[0]) + ", " + short_text(x[1]) + ", " +
+             short_text(x[2]) + ") m";
+    }
+  } // namespace
+
+  Simulation::End
+  Simulation::run()
+  {
+    if (saved_results)
+      results.reopen(parameters, *saved_results, log);
+    else
+      results.open(parameters, log);
+    FlushDenormals    flush_denormals;
+    const StopSignals signals;
+    stop_signals    = &signals;
+    last_checkpoint = std::chrono::steady_clock::now();
+
+    const auto        n_cells = body.communicator.sum(
+      static_cast<std::int64_t>(topology().n_owned_cells()));
+    Progress progress(log, n_cells, state().time, parameters.time.end_time);
+    timer.stop("setup");
+    const double wall_start = timer.total();
+    while (state().step < last_step)
+      {
+        step();
+        progress.update(state().step - first_step, state().time);
+        if (!must_stop && !is_checkpoint_due)
+          continue;
+        write_checkpoint();
+        if (must_stop)
+          stop();
+        is_checkpoint_due = false;
+        if (is_unbalanced())
+          return End::divide_anew;
+      }
+    step();
+    progress.finish();
+    finish(n_cells * (state().step - first_step) /
+           (timer.total() - wall_start));
+    return End::done;
+  }
+
+  void
+  Simulation::stop() const
+  {
+    throw Error(ExitCode::stopped_by_signal,
+                "stopped by a signal at step " + std::to_string(state().step) +
+                  ", t = " + short_text(state().time) +
+                  " s. Go on with --restart.");
+  }
+
+  void
+  Simulation::finish(const double cell_steps_per_second)
+  {
+    Summary summary;
+    summary.time_step_limited_by = critical.limited_by;
+    summary.wall_seconds         = timer.total();
+    summary.cell_steps_per_second = cell_steps_per_second;
+    summary.wall_seconds_by_stage = timer.seconds();
+    FaceCounts faces;
+    if (fracture)
+      faces = fracture->force.count_faces(body.communicator);
+    summary.faces_inserted = faces.inserted;
+    summary.faces_broken   = faces.failed;
+    results.finish(snapshot(), summary);
+    log.write(
+      "Done: " + std::to_string(state().step) + " steps in " +
+      duration_text(timer.total()) + "; " + std::to_string(faces.inserted) +
+      " faces cut, largest residual of the energy ledger " +
+      short_text(ledger.largest_relative_residual()) + " of the energy put in");
+    if (faces.too_short > 0)
+      log.write("WARNING: " + std::to_string(faces.too_short) + " of " +
+                std::to_string(faces.opened) +
+                " opened faces need more than their fracture energy: the "
+                "elements are too large for these strengths and fracture "
+                "energies (doc/theory.md, section 4)");
+  }
+
+  void
+  Simulation::count_work()
+  {
+    for (SurfaceLoad &load : surface_loads)
+      load.count_work(state(), dt);
+    if (damping)
+      damping->count_work(state(), dt);
+  }
+
+  void
+  Simulation::balance_energy()
+  {
+    EnergySums sums;
+    sums.kinetic = kinetic_energy(topology(), state(), dt);
+    sums.strain  = internal_force.strain_energy(state());
+    if (fracture)
+      {
+        const CohesiveEnergy cohesive = fracture->force.energy();
+        sums.cohesive                 = cohesive.recoverable;
+        sums.fracture                 = cohesive.fracture;
+        sums.friction                 = cohesive.friction;
+      }
+    if (damping)
+      sums.damping = damping->work().sum();
+    for (SurfaceLoad &load : surface_loads)
+      sums.loads.add(load.work().sum());
+    if (prescribed_motion)
+      sums.loads.add(prescribed_motion->work().sum());
+    if (body_force)
+      sums.loads.add(body_force->work(topology(), state()));
+    ledger.enter(sums.total(body.communicator));
+
+    if (!(std::abs(ledger.relative_residual()) <=
+          parameters.time.largest_residual))
+      throw RunError(
+        "energy runs away: the balance is wrong by " +
+        short_text(ledger.residual()) + " J, " +
+        short_text(ledger.relative_residual()) +
+        " of the energy in play, more than the \"Largest energy residual\" "
+        "of " +
+        to_text(parameters.time.largest_residual) + ", at " + moment_text() +
+        "; " + fastest_node_text() +
+        ". Choose a smaller time step or safety factor (subsection Time).");
+  }
+
+  std::string
+  Simulation::fastest_node_text() const
+  {
+    struct Corner
+    {
+      double          square;
+      Vector3<double> position;
+      GlobalCellIndex cell;
+      unsigned int    corner;
+    };
+    const auto is_faster = [](const Corner &a, const Corner &b) {
+      return a.square > b.square ||
+             (a.square == b.square && std::make_pair(a.cell, a.corner) <
+                                        std::make_pair(b.cell, b.corner));
+    };
+    Corner fastest{-1, {{0, 0, 0}}, invalid_index, 0};
+    for (CellIndex cell = 0; cell < topology().n_cell_slots(); ++cell)
+      for (unsigned int c = 0; c < n_corners && topology().owns_cell(cell); ++c)
+        {
+          const NodeIndex       node = topology().node(cell, c);
+          const Vector3<double> v    = state().velocity[node].vector();
+          // What is not a number is faster than all numbers.
+          const Corner corner{std::isnan(dot(v, v)) ?
+                                std::numeric_limits<double>::infinity() :
+                                dot(v, v),
+                              state().position(node),
+                              topology().cell_global_indices[cell],
+                              c};
+          if (is_faster(corner, fastest))
+            fastest = corner;
+        }
+    fastest = body.communicator.first_of_ranks(fastest, is_faster);
+    return "the fastest node moves with " +
+           short_text(std::sqrt(fastest.square)) + " m/s at " +
+           place_text(fastest.position);
+  }
+
+  void
+  Simulation::write_due_results()
+  {
+    const bool is_last = state().step == last_step;
+    const bool history = results.is_history_due(state().time, dt) ||
+                         (is_last && results.is_open());
+    const bool solution = results.is_solution_due(state().time, dt);
+    const auto interval = parameters.checkpoint.interval_in_steps;
+    // After this step.
+    is_checkpoint_due |= interval > 0 && (state().step + 1) % interval == 0;
+    if (history || solution || is_last || is_checkpoint_due ||
+        state().step >= next_agreement)
+      agree();
+    if (history || is_last || state().step % balance_interval == 0)
+      balance_energy();
+    if (history)
+      results.write_history(snapshot());
+    if (solution)
+      results.write_solution(snapshot());
+  }
+
+  Snapshot
+  Simulation::snapshot() const
+  {
+    return {body,
+            internal_force,
+            fracture ? &fracture->force : nullptr,
+            ledger,
+            dt};
+  }
+
+  std::string
+  Simulation::moment_text() const
+  {
+    return "step " + std::to_string(state().step) +
+           ", t = " + short_text(state().time) + " s, time step " +
+           short_text(dt / critical.time_step) + " times its safe bound";
+  }
+
+  void
+  Simulation::note_failure(const FailedCell &failed)
+  {
+    if (failure)
+      return;
+    Vector3<double> centre = {{0, 0, 0}};
+    for (unsigned int c = 0; c < n_corners; ++c)
+      centre +=
+        .25 * state().reference[topology().node(failed.cell, c)].vector();
+    const GlobalCellIndex cell = topology().cell_global_indices[failed.cell];
+    failure                    = Failure{
+      state().step,
+      cell,
+      "cell " + std::to_string(cell) + " of " +
+        body.materials[topology().material(failed.cell)].name + " at " +
+        place_text(centre) + " has " + short_text(failed.volume_ratio) +
+        " of its volume; below " +
+        to_text(InternalForce::smallest_volume_ratio) +
+        " the elastic law has no meaning. At " + moment_text() +
+        ". Choose a smaller time step or safety factor, or a weaker load."};
+  }
+
+  void
+  Simulation::agree()
+  {
+    enum
+    {
+      failed,
+      signalled,
+      checkpoint_due,
+      steps_to_next,
+      n_numbers
+    };
+    const auto                now = std::chrono::steady_clock::now();
+    std::vector<std::int64_t> numbers(n_numbers, 0);
+    numbers[failed] = failure ? 1 : 0;
+    numbers[signalled] =
+      stop_signals != nullptr && stop_signals->requested() ? 1 : 0;
+    if (body.communicator.is_root())
+      {
+        const double minutes =
+          std::chrono::duration<double>(now - last_checkpoint).count() / 60;
+        const double interval       = parameters.checkpoint.interval_in_minutes;
+        numbers[checkpoint_due] = interval > 0 && minutes >= interval ? 1 : 0;
+        const double seconds =
+          std::chrono::duration<double>(now - last_agreement).count();
+        const double steps     = state().step - step_of_last_agreement;
+        numbers[steps_to_next] = static_cast<std::int64_t>(
+          std::clamp(steps * seconds_between_agreements / seconds,
+                     1.,
+                     1. * largest_agreement_interval));
+      }
+    body.communicator.sum(numbers);
+    last_agreement         = now;
+    step_of_last_agreement = state().step;
+    next_agreement         = state().step + numbers[steps_to_next];
+    if (numbers[failed] > 0)
+      stop_failed();
+    must_stop = numbers[signalled] > 0;
+    is_checkpoint_due |= numbers[checkpoint_due] > 0;
+  }
+
+  void
+  Simulation::stop_failed() const
+  {
+    // The first failure counts; several ranks may have seen it.
+    std::string own;
+    if (failure)
+      own = fmt::format("{:020}{:010}{}",
+                        failure->step,
+                        failure->cell,
+                        failure->message);
+    std::string first;
+    for (const std::string &one : body.communicator.all_gather(own))
+      if (!one.empty() && (first.empty() || one < first))
+        first = one;
+    throw RunError(first.substr(30));
+  }
+
+  void
+  validate_scene(std::ostream &out, const Parameters &parameters)
+  {
+    print_summary(out, parameters);
+    const Communicator communicator(MPI_COMM_WORLD);
+    Log                log(communicator.is_root() ? &out : nullptr);
+    Simulation(parameters, log, communicator);
+  }
+
+  void
+  run_simulation(const Parameters &parameters, const bool is_restart)
+  {
+    const Communicator communicator(MPI_COMM_WORLD);
+    Log log(communicator.is_root() ? &std::cout : nullptr, is_terminal());
+    if (!parameters.title.empty())
+      log.write(parameters.title);
+    std::optional<Restart> restart;
+    if (is_restart)
+      restart = read_restart(parameters, communicator, log);
+    while (Simulation(parameters, log, communicator, restart ? &*restart : nullptr)
+             .run() == Simulation::End::divide_anew)
+      {
+        log.write("The ranks have unequal work: the cells are divided anew");
+        restart = read_restart(parameters, communicator, log);
+      }
+  }
+} // namespace rift
