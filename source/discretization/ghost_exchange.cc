@@ -264,21 +264,6 @@ namespace rift
                       const std::vector<NodeSplit>     &splits,
                       const std::vector<OpeningCorner> &openings)
   {
-    for (Partner &teller : tellers)
-      {
-        // A corner changes at most once per step, and has three faces.
-        teller.buffer.resize(sizeof(Header) +
-                             teller.corners.size() *
-                               (sizeof(ChangedCorner) +
-                                3 * sizeof(ToldOpening) + bytes_per_node()));
-        MPI_Irecv(teller.buffer.data(),
-                  static_cast<int>(teller.buffer.size()),
-                  MPI_BYTE,
-                  teller.rank,
-                  tag,
-                  communicator,
-                  &teller.request);
-      }
     for (Partner &listener : listeners)
       {
         std::vector<ChangedCorner> changed;
@@ -322,7 +307,7 @@ namespace rift
     TopologyChange new_nodes;
     for (Partner &teller : tellers)
       {
-        MPI_Wait(&teller.request, MPI_STATUS_IGNORE);
+        receive_bytes(teller);
         const char  *bytes  = teller.buffer.data();
         const Header header = take<Header>(bytes, 1)[0];
         for (const ChangedCorner changed :
@@ -356,6 +341,24 @@ namespace rift
     for (Partner &listener : listeners)
       MPI_Wait(&listener.request, MPI_STATUS_IGNORE);
     return change;
+  }
+
+  void
+  GhostExchange::receive_bytes(Partner &teller) const
+  {
+    // How long it is depends on what a crack has changed.
+    MPI_Status status;
+    int        n_bytes = 0;
+    MPI_Probe(teller.rank, tag, communicator, &status);
+    MPI_Get_count(&status, MPI_BYTE, &n_bytes);
+    teller.buffer.resize(n_bytes);
+    MPI_Recv(teller.buffer.data(),
+             n_bytes,
+             MPI_BYTE,
+             teller.rank,
+             tag,
+             communicator,
+             MPI_STATUS_IGNORE);
   }
 
   void

@@ -176,6 +176,9 @@ namespace rift
                     const std::vector<OpeningCorner> &openings);
 
     void
+    receive_bytes(Partner &teller) const;
+
+    void
     unpack_values(const char     *values,
                   const Partner  &teller,
                   const Topology &topology,

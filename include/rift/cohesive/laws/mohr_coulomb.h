@@ -146,6 +146,13 @@ namespace rift
            const Number                    &shear,
            const Number                    &friction) const;
 
+    /** Takes back what has changed where the mask is not set. */
+    template <typename Mask, typename Number>
+    static void
+    keep_unless(const Mask                  &mask,
+                const CohesivePoint<Number> &old,
+                CohesivePoint<Number>       &point);
+
     Softening softening;
   };
 
@@ -198,11 +205,13 @@ namespace rift
     const Number shear    = sqrt(t[1] * t[1] + t[2] * t[2]);
     const Number former_cohesion =
       point.softening * point.cohesion + point.shear_excess;
-    if (!any((normal > point.softening * constants.tensile_strength +
-                         point.normal_excess) |
-             (shear > former_cohesion + friction)))
+    const auto yields = (normal > point.softening * constants.tensile_strength +
+                                    point.normal_excess) |
+                        (shear > former_cohesion + friction);
+    if (!any(yields))
       return {zero, zero};
 
+    const CohesivePoint<Number> elastic = point;
     const auto flow = soften(point, constants, normal, shear, friction);
 
     const Number    slip_share = flow.slip / max(shear, zero + 1e-300);
@@ -240,7 +249,31 @@ namespace rift
     dissipation.friction =
       select((normal < zero) | (former[0] < zero), sliding - of_cohesion, zero);
     dissipation.fracture = opening + sliding - dissipation.friction;
+
+    // To the last bit, a point must not feel that a neighbour in its batch
+    // yields: on another number of ranks it has other neighbours.
+    keep_unless(yields, elastic, point);
+    dissipation.fracture = select(yields, dissipation.fracture, zero);
+    dissipation.friction = select(yields, dissipation.friction, zero);
     return dissipation;
+  }
+
+  template <typename Mask, typename Number>
+  void
+  MohrCoulomb::keep_unless(const Mask                  &mask,
+                           const CohesivePoint<Number> &old,
+                           CohesivePoint<Number>       &point)
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        point.offset[d]   = select(mask, point.offset[d], old.offset[d]);
+        point.traction[d] = select(mask, point.traction[d], old.traction[d]);
+      }
+    point.opening       = select(mask, point.opening, old.opening);
+    point.slip          = select(mask, point.slip, old.slip);
+    point.softening     = select(mask, point.softening, old.softening);
+    point.normal_excess = select(mask, point.normal_excess, old.normal_excess);
+    point.shear_excess  = select(mask, point.shear_excess, old.shear_excess);
   }
 
   template <typename Number>
