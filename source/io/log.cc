@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <filesystem>
 #include <ostream>
 
 namespace rift
@@ -21,7 +22,22 @@ namespace rift
   void
   Log::open(const std::string &path)
   {
-    file = std::make_unique<OutputFile>(path);
+    take(std::make_unique<OutputFile>(path));
+  }
+
+  void
+  Log::reopen(const std::string &path)
+  {
+    std::error_code error;
+    const auto      size = std::filesystem::file_size(path, error);
+    take(error ? std::make_unique<OutputFile>(path) :
+                 std::make_unique<OutputFile>(path, size));
+  }
+
+  void
+  Log::take(std::unique_ptr<OutputFile> new_file)
+  {
+    file = std::move(new_file);
     file->write(earlier_lines);
     earlier_lines.clear();
   }

@@ -154,3 +154,104 @@ TEST(HistoryFile, WrongNumberOfValues)
   EXPECT_EQ(message_of<std::invalid_argument>([&] { file.append({1}); }),
             "HistoryFile: a row of 1 values in a table of 2 columns");
 }
+
+namespace
+{
+  // A table of three rows, and its length after the second.
+  std::uint64_t
+  write_three_rows(const std::string &path)
+  {
+    HistoryFile file(path, {"t", "x"});
+    file.append({1, .5});
+    file.append({2, .25});
+    const std::uint64_t length = file.synchronize();
+    file.append({3, .125});
+    return length;
+  }
+
+  const char *const advice =
+    ". Put the file back that the run has left there, or start anew, without "
+    "--restart.";
+} // namespace
+
+TEST(HistoryFile, GoesOnAfterARestart)
+{
+  const TemporaryDirectory directory;
+  const std::uint64_t      length = write_three_rows(directory / "p.csv");
+  EXPECT_EQ(length, 17u);
+  EXPECT_EQ(read_file(directory / "p.csv"), "t,x\n1,0.5\n2,0.25\n3,0.125\n");
+  {
+    HistoryFile file(directory / "p.csv", {"t", "x"}, length);
+    EXPECT_EQ(read_file(directory / "p.csv"), "t,x\n1,0.5\n2,0.25\n");
+    file.append({3, 8});
+    EXPECT_EQ(file.synchronize(), 21u);
+  }
+  EXPECT_EQ(read_file(directory / "p.csv"), "t,x\n1,0.5\n2,0.25\n3,8\n");
+}
+
+TEST(HistoryFile, CannotGoOnWithAShorterFile)
+{
+  const TemporaryDirectory directory;
+  const std::uint64_t      length = write_three_rows(directory / "p.csv");
+  for (const std::string content : {"t,x\n1,0.5\n2,0.25", "t,x\n", "t", ""})
+    {
+      write_file(directory / "p.csv", content);
+      EXPECT_EQ(message_of<InputError>([&] {
+                  HistoryFile(directory / "p.csv", {"t", "x"}, length);
+                }),
+                "Cannot go on with " + (directory / "p.csv") + ": it has " +
+                  std::to_string(content.size()) +
+                  " bytes, but had 17 at the checkpoint" + advice);
+      EXPECT_EQ(read_file(directory / "p.csv"), content);
+    }
+}
+
+TEST(HistoryFile, CannotGoOnWithAMissingFile)
+{
+  EXPECT_EQ(
+    message_of<InputError>([] { HistoryFile("/proc/rift.csv", {"t"}, 2); }),
+    std::string("Cannot go on with /proc/rift.csv: it is missing") + advice);
+}
+
+TEST(HistoryFile, CannotGoOnWithOtherColumns)
+{
+  const TemporaryDirectory directory;
+  const std::uint64_t      length = write_three_rows(directory / "p.csv");
+  const std::string        before = read_file(directory / "p.csv");
+  const std::vector<std::vector<std::string>> others = {
+    {"t"},
+    {"t", "y"},
+    {"t", "x", "y"},
+    {"t", "x that is longer than the file"}};
+  for (const auto &columns : others)
+    {
+      EXPECT_EQ(message_of<InputError>(
+                  [&] { HistoryFile(directory / "p.csv", columns, length); }),
+                "Cannot go on with " + (directory / "p.csv") +
+                  ": its columns are others than those of this run" + advice);
+      EXPECT_EQ(read_file(directory / "p.csv"), before);
+    }
+  // A table without rows, shorter than the new header.
+  write_file(directory / "e.csv", "t\n");
+  EXPECT_THROW(HistoryFile(directory / "e.csv", {"t", "x"}, 2), InputError);
+}
+
+TEST(HistoryFile, CannotGoOnWithAFolder)
+{
+  const TemporaryDirectory directory;
+  EXPECT_EQ(message_of<DiskError>(
+              [&] { OutputFile(directory.path, std::uint64_t(0)); }),
+            "Cannot open " + directory.path +
+              ": Is a directory. Check the disk, or choose another output "
+              "directory.");
+}
+
+TEST(Directories, Synchronize)
+{
+  const TemporaryDirectory directory;
+  synchronize_directory(directory.path);
+  EXPECT_EQ(
+    message_of<DiskError>([&] { synchronize_directory(directory / "no"); }),
+    "Cannot open the folder " + (directory / "no") +
+      ": No such file or directory. Check that its folder exists.");
+}

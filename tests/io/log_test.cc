@@ -22,6 +22,18 @@ TEST(Log, GoesToTerminalAndFile)
   EXPECT_EQ(read_file(directory / "log.txt"), terminal.str());
 }
 
+TEST(Log, GoesOnAfterARestart)
+{
+  const TemporaryDirectory directory;
+  for (const char *line : {"first", "second"})
+    {
+      Log log(nullptr);
+      log.write(line);
+      log.reopen(directory / "log.txt");
+    }
+  EXPECT_EQ(read_file(directory / "log.txt"), "first\nsecond\n");
+}
+
 TEST(Log, Quiet)
 {
   const TemporaryDirectory directory;

@@ -1,6 +1,7 @@
 #ifndef rift_base_output_file_h
 #define rift_base_output_file_h
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,13 @@ namespace rift
                    int                error);
 
   /**
+   * Waits until the names of the files in a folder have reached the disk, new
+   * ones and those that have been removed.
+   */
+  void
+  synchronize_directory(const std::string &path);
+
+  /**
    * A file that is written from its start to its end, without a buffer of its
    * own.
    */
@@ -33,6 +41,14 @@ namespace rift
   public:
     /** Creates the file, or empties the one that is there. */
     explicit OutputFile(const std::string &path);
+
+    /**
+     * Goes on with a file that is there, behind its first `length` bytes; what
+     * it has more is cut off.
+     *
+     * @throws InputError if it is missing or shorter.
+     */
+    OutputFile(const std::string &path, std::uint64_t length);
 
     OutputFile(const OutputFile &) = delete;
     OutputFile &
@@ -53,9 +69,25 @@ namespace rift
     void
     close();
 
+    /** Length of the file in bytes. */
+    std::uint64_t
+    size() const
+    {
+      return n_bytes;
+    }
+
   private:
+    /** What the system has opened; a name for the constructor. */
+    struct Opened
+    {
+      int descriptor;
+    };
+
+    OutputFile(const std::string &path, Opened opened);
+
     const std::string path;
     int               descriptor;
+    std::uint64_t     n_bytes = 0;
   };
 
   /**
@@ -106,6 +138,17 @@ namespace rift
                 const std::vector<std::string> &columns);
 
     /**
+     * Goes on with a file after a restart: rows behind its first `length`
+     * bytes, which synchronize() has told, are cut off.
+     *
+     * @throws InputError if the file is missing, is shorter, or has another
+     *   header.
+     */
+    HistoryFile(const std::string              &path,
+                const std::vector<std::string> &columns,
+                std::uint64_t                   length);
+
+    /**
      * Writes the rows that are still in memory, but cannot report a failure:
      * call flush() at the end of a run.
      */
@@ -124,6 +167,14 @@ namespace rift
     /** Writes all rows so far. */
     void
     flush();
+
+    /**
+     * Brings all rows so far to the disk.
+     *
+     * @return the length of the file, for the constructor after a restart.
+     */
+    std::uint64_t
+    synchronize();
 
   private:
     const std::size_t n_columns;

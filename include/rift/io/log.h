@@ -34,6 +34,10 @@ namespace rift
     void
     open(const std::string &path);
 
+    /** open(), but goes on behind what is in the file: after a restart. */
+    void
+    reopen(const std::string &path);
+
     /**
      * Writes a line; `line` may itself hold several, and needs no line end.
      * It is in the file when the call returns.
@@ -54,6 +58,9 @@ namespace rift
     is_interactive() const;
 
   private:
+    void
+    take(std::unique_ptr<OutputFile> new_file);
+
     std::ostream *const         terminal;
     const bool                  interactive;
     bool                        status_is_shown = false;
