@@ -1,0 +1,49 @@
+#include <rift/base/signals.h>
+
+#include <gtest/gtest.h>
+
+namespace
+{
+  using namespace rift;
+
+  volatile std::sig_atomic_t n_received = 0;
+
+  extern "C" void
+  count(int)
+  {
+    n_received = n_received + 1;
+  }
+} // namespace
+
+TEST(StopSignals, AreRememberedWhileItLives)
+{
+  for (const int signal : {SIGTERM, SIGUSR1})
+    {
+      std::signal(signal, count);
+      n_received = 0;
+      {
+        const StopSignals signals;
+        EXPECT_FALSE(signals.requested());
+        std::raise(signal);
+        EXPECT_TRUE(signals.requested());
+        std::raise(signal);
+        EXPECT_TRUE(signals.requested());
+        EXPECT_EQ(n_received, 0);
+      }
+      std::raise(signal);
+      EXPECT_EQ(n_received, 1);
+      std::signal(signal, SIG_DFL);
+      EXPECT_FALSE(StopSignals().requested());
+    }
+}
+
+TEST(StopSignals, LeaveOthersAlone)
+{
+  std::signal(SIGUSR2, count);
+  n_received = 0;
+  const StopSignals signals;
+  std::raise(SIGUSR2);
+  EXPECT_FALSE(signals.requested());
+  EXPECT_EQ(n_received, 1);
+  std::signal(SIGUSR2, SIG_DFL);
+}
