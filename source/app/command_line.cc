@@ -32,7 +32,12 @@ namespace rift
                     "Where the results go; short for --set "
                     "Output/Directory=DIR")
         ->type_name("DIR");
-    app.add_flag("--validate", validate, "Check the scene, do not run it");
+    CLI::Option *const restart =
+      app.add_flag("--restart",
+                   result.restart,
+                   "Go on from the newest checkpoint in the output directory");
+    app.add_flag("--validate", validate, "Check the scene, do not run it")
+      ->excludes(restart);
     app.add_flag("--defaults", defaults, "Print a scene with every entry");
     app.add_flag("--reference",
                  reference,

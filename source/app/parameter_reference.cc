@@ -38,6 +38,9 @@ namespace rift
         {"Fracture", "How cracks are computed."},
         {"Time", "The time steps."},
         {"Output", "What is written, and where."},
+        {"Checkpoint",
+         "What a stopped run can go on from, with --restart: sets of "
+         "files in the folder checkpoint of the output directory."},
         {"Probe",
          "A column of probes.csv, whose name it has: a field at a point or "
          "averaged over a boundary."}};

@@ -88,6 +88,7 @@ namespace rift
       parameters.cohesive.check();
       parameters.time.check();
       parameters.output.check();
+      parameters.checkpoint.check();
       check_together(parameters, scene);
     }
 
@@ -108,6 +109,7 @@ namespace rift
       result.cohesive   = CohesiveParameters::parse(prm);
       result.time       = TimeParameters::parse(prm);
       result.output     = OutputParameters::parse(prm);
+      result.checkpoint = CheckpointParameters::parse(prm);
       for (const std::string &name : names.probes)
         result.probes.push_back(ProbeParameters::parse(prm, name, scene));
       return result;
@@ -184,6 +186,7 @@ namespace rift
     CohesiveParameters::declare(prm);
     TimeParameters::declare(prm);
     OutputParameters::declare(prm);
+    CheckpointParameters::declare(prm);
     for (const std::string &name : names.probes)
       ProbeParameters::declare(prm, name);
   }

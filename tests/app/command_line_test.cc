@@ -22,6 +22,15 @@ TEST(CommandLine, SceneAlone)
   EXPECT_EQ(command.action, Action::run);
   EXPECT_EQ(command.scene, "a b.prm");
   EXPECT_TRUE(command.overrides.empty());
+  EXPECT_FALSE(command.restart);
+}
+
+TEST(CommandLine, Restart)
+{
+  const rift::CommandLine command = parse({"--restart", "a.prm"});
+  EXPECT_EQ(command.action, Action::run);
+  EXPECT_EQ(command.scene, "a.prm");
+  EXPECT_TRUE(command.restart);
 }
 
 TEST(CommandLine, OverridesBeforeAndAfterTheScene)
@@ -49,7 +58,8 @@ TEST(CommandLine, NeedsNoSceneToPrint)
   EXPECT_EQ(parse({"--version"}).text, "rift " RIFT_VERSION "\n");
   const rift::CommandLine help = parse({"--help"});
   EXPECT_EQ(help.action, Action::print_text);
-  for (const char *option : {"--set", "--output", "--validate", "--defaults"})
+  for (const char *option :
+       {"--set", "--output", "--restart", "--validate", "--defaults"})
     EXPECT_NE(help.text.find(option), std::string::npos) << option;
 }
 
@@ -59,4 +69,5 @@ TEST(CommandLine, RefusesWhatItDoesNotKnow)
   EXPECT_THROW(parse({"a.prm", "b.prm"}), rift::InputError);
   EXPECT_THROW(parse({"a.prm", "--outptu", "x"}), rift::InputError);
   EXPECT_THROW(parse({"a.prm", "--set"}), rift::InputError);
+  EXPECT_THROW(parse({"a.prm", "--restart", "--validate"}), rift::InputError);
 }

@@ -100,6 +100,11 @@ subsection Output
   set Overwrite = true
   set Ranks per file = 8
 end
+subsection Checkpoint
+  set Interval in steps = 500000
+  set Interval in minutes = 12.5
+  set Number of sets = 3
+end
 subsection Probe fspv
   set Field = velocity x
   set Boundary = free_end
@@ -167,6 +172,9 @@ end
     EXPECT_EQ(p.output.history_interval, 1e-7);
     EXPECT_TRUE(p.output.overwrite);
     EXPECT_EQ(p.output.ranks_per_file, 8);
+    EXPECT_EQ(p.checkpoint.interval_in_steps, 500000u);
+    EXPECT_EQ(p.checkpoint.interval_in_minutes, 12.5);
+    EXPECT_EQ(p.checkpoint.n_sets, 3u);
     ASSERT_EQ(p.probes.size(), 2u);
     EXPECT_EQ(p.probes[0].name, "fspv");
     EXPECT_EQ(p.probes[0].field, ProbeParameters::Field::velocity);
@@ -240,6 +248,11 @@ end
   EXPECT_EQ(p.output.history_interval, OutputParameters().history_interval);
   EXPECT_EQ(p.output.ranks_per_file, OutputParameters().ranks_per_file);
   EXPECT_EQ(p.output.overwrite, OutputParameters().overwrite);
+  EXPECT_EQ(p.checkpoint.interval_in_steps,
+            CheckpointParameters().interval_in_steps);
+  EXPECT_EQ(p.checkpoint.interval_in_minutes,
+            CheckpointParameters().interval_in_minutes);
+  EXPECT_EQ(p.checkpoint.n_sets, CheckpointParameters().n_sets);
 }
 
 TEST_F(ParametersTest, SummaryNamesWhatTheSceneHas)

@@ -35,6 +35,9 @@ namespace rift
     /** `Section/Name=value`, in their order; `--output` is one of them. */
     std::vector<std::string> overrides;
 
+    /** Go on from the newest checkpoint in the output directory. */
+    bool restart = false;
+
     std::string text;
   };
 

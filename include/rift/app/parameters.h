@@ -2,6 +2,7 @@
 #define rift_app_parameters_h
 
 #include <rift/cohesive/cohesive_parameters.h>
+#include <rift/io/checkpoint_parameters.h>
 #include <rift/io/output_parameters.h>
 #include <rift/loading/loading_parameters.h>
 #include <rift/material/material_parameters.h>
@@ -26,6 +27,7 @@ namespace rift
     CohesiveParameters              cohesive;
     TimeParameters                  time;
     OutputParameters                output;
+    CheckpointParameters            checkpoint;
     std::vector<ProbeParameters>    probes;
 
     /** The same as the text of a .prm; see used_parameters(). */
