@@ -1,5 +1,6 @@
 #include <rift/base/exceptions.h>
 #include <rift/base/output_file.h>
+#include <rift/io/checkpoint_folder.h>
 #include <rift/io/output_directory.h>
 
 #include <algorithm>
@@ -54,6 +55,14 @@ namespace rift
     }
 
     void
+    check_name(const std::string &directory)
+    {
+      if (directory.empty())
+        throw InputError("The name of the output directory is empty. Set "
+                         "Output / Directory or give --output.");
+    }
+
+    void
     create(const std::string &directory)
     {
       std::error_code error;
@@ -69,7 +78,25 @@ namespace rift
                          error.value());
     }
 
-    /** The results of an older run, in order of their names. */
+    /** That the scene of a user is not written over. */
+    void
+    check_parameters(const std::string &directory)
+    {
+      const fs::path  path = fs::path(directory) / "parameters.prm";
+      std::error_code error;
+      const auto      status = fs::symlink_status(path, error);
+      if (fs::exists(status) && !fs::is_directory(status) &&
+          !was_written_by_rift(path))
+        throw InputError("rift would write " + path.string() +
+                         ", but there is a file of that name that no earlier "
+                         "run has left. Rename it, or choose another output "
+                         "directory.");
+    }
+
+    /**
+     * The results of an older run, in order of their names; its checkpoints
+     * count as one.
+     */
     std::vector<fs::path>
     find_results(const std::string &directory)
     {
@@ -83,6 +110,9 @@ namespace rift
           results.push_back(entry->path());
       if (error)
         throw_disk_error("read the output directory", directory, error.value());
+      const CheckpointFolder checkpoints(directory);
+      if (checkpoints.is_in_use())
+        results.push_back(checkpoints.path());
       std::sort(results.begin(), results.end());
       return results;
     }
@@ -119,18 +149,10 @@ namespace rift
   void
   prepare_output_directory(const std::string &directory, const bool overwrite)
   {
-    if (directory.empty())
-      throw InputError("The name of the output directory is empty. Set Output "
-                       "/ Directory or give --output.");
+    check_name(directory);
     create(directory);
     const auto results = find_results(directory);
-
-    for (const auto &path : results)
-      if (path.filename() == "parameters.prm" && !was_written_by_rift(path))
-        throw InputError("rift would write " + path.string() +
-                         ", but there is a file of that name that no earlier "
-                         "run has left. Rename it, or choose another output "
-                         "directory.");
+    check_parameters(directory);
 
     if (!results.empty() && !overwrite)
       throw InputError(
@@ -142,12 +164,29 @@ namespace rift
         "to true to replace them.");
 
     check_writable(directory);
+    const CheckpointFolder checkpoints(directory);
     for (const auto &path : results)
       {
         std::error_code error;
-        fs::remove(path, error);
+        if (path == checkpoints.path())
+          checkpoints.remove();
+        else
+          fs::remove(path, error);
         if (error)
           throw_disk_error("remove", path.string(), error.value());
       }
+  }
+
+  void
+  reopen_output_directory(const std::string &directory)
+  {
+    check_name(directory);
+    std::error_code error;
+    if (!fs::is_directory(directory, error))
+      throw InputError("There is no output directory " + directory +
+                       " in which a run could go on. Start it without "
+                       "--restart.");
+    check_parameters(directory);
+    check_writable(directory);
   }
 } // namespace rift

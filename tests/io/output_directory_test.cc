@@ -74,6 +74,112 @@ TEST(OutputDirectory, OverwriteRemovesOnlyResults)
   EXPECT_FALSE(exists(directory / "rift.tmp"));
 }
 
+namespace
+{
+  // What a run with checkpoints leaves, one of them unfinished.
+  void
+  make_checkpoints(const TemporaryDirectory &directory)
+  {
+    for (const std::string set : {"100", "200", "200.old", "300.tmp"})
+      {
+        std::filesystem::create_directories(directory / ("checkpoint/" + set));
+        for (const std::string file :
+             {"manifest", "rank-00000", "rank-00001", "rank-100000"})
+          write_file(directory / ("checkpoint/" + set + "/" + file), "x");
+      }
+    write_file(directory / "checkpoint/mesh", "x");
+    write_file(directory / "checkpoint/mesh.tmp", "x");
+  }
+} // namespace
+
+TEST(OutputDirectory, CheckpointsAreResults)
+{
+  const TemporaryDirectory directory;
+  make_checkpoints(directory);
+  EXPECT_EQ(message_of<InputError>(
+              [&] { prepare_output_directory(directory.path, false); }),
+            "The output directory " + directory.path +
+              " holds results of an older run: 1 file, checkpoint. Choose "
+              "another directory with --output, or set Output / Overwrite to "
+              "true to replace them.");
+  EXPECT_TRUE(exists(directory / "checkpoint/200/rank-00001"));
+
+  prepare_output_directory(directory.path, true);
+  EXPECT_TRUE(std::filesystem::is_empty(directory.path));
+}
+
+TEST(OutputDirectory, OverwriteKeepsOtherFilesBesideCheckpoints)
+{
+  const TemporaryDirectory directory;
+  make_checkpoints(directory);
+  const auto others = {"checkpoint/notes.txt",
+                       "checkpoint/100.bak/manifest",
+                       "checkpoint/0100/manifest",
+                       "checkpoint/-1/manifest",
+                       "checkpoint/1e3/manifest",
+                       "checkpoint/99999999999999999999/manifest"};
+  for (const std::string name : others)
+    {
+      std::filesystem::create_directories(
+        std::filesystem::path(directory / name).parent_path());
+      write_file(directory / name, "x");
+    }
+  prepare_output_directory(directory.path, true);
+  for (const std::string name : others)
+    EXPECT_EQ(read_file(directory / name), "x") << name;
+  EXPECT_FALSE(exists(directory / "checkpoint/100"));
+  EXPECT_FALSE(exists(directory / "checkpoint/mesh"));
+  prepare_output_directory(directory.path, false);
+
+  std::filesystem::create_directories(directory / "checkpoint/100");
+  write_file(directory / "checkpoint/100/manifest", "x");
+  write_file(directory / "checkpoint/100/rank-0001", "mine");
+  EXPECT_EQ(message_of<DiskError>(
+              [&] { prepare_output_directory(directory.path, true); }),
+            "Cannot remove " + (directory / "checkpoint/100") +
+              ": Directory not empty.");
+  EXPECT_EQ(read_file(directory / "checkpoint/100/rank-0001"), "mine");
+}
+
+TEST(OutputDirectory, KeepsEverythingAfterARestart)
+{
+  const TemporaryDirectory directory;
+  make_checkpoints(directory);
+  write_file(directory / "energy.csv", "t");
+  write_file(directory / "parameters.prm",
+             std::string(parameters_marker) + "\nset End time = 1\n");
+  reopen_output_directory(directory.path);
+  EXPECT_EQ(read_file(directory / "energy.csv"), "t");
+  EXPECT_EQ(read_file(directory / "checkpoint/300.tmp/manifest"), "x");
+  EXPECT_FALSE(exists(directory / "rift.tmp"));
+}
+
+TEST(OutputDirectory, CannotRestartInIt)
+{
+  const TemporaryDirectory directory;
+  write_file(directory / "f", "");
+  for (const std::string name : {"f", "no"})
+    {
+      EXPECT_EQ(message_of<InputError>(
+                  [&] { reopen_output_directory(directory / name); }),
+                "There is no output directory " + (directory / name) +
+                  " in which a run could go on. Start it without --restart.");
+    }
+  EXPECT_FALSE(exists(directory / "no"));
+  EXPECT_THROW(reopen_output_directory(""), InputError);
+  EXPECT_EQ(message_of<DiskError>([] {
+              reopen_output_directory("/proc");
+            }).substr(0, 28),
+            "Cannot create /proc/rift.tmp");
+
+  write_file(directory / "parameters.prm", "set Title = mine\n");
+  EXPECT_EQ(
+    message_of<InputError>([&] { reopen_output_directory(directory.path); }),
+    "rift would write " + (directory / "parameters.prm") +
+      ", but there is a file of that name that no earlier run has "
+      "left. Rename it, or choose another output directory.");
+}
+
 TEST(OutputDirectory, ForeignFilesAreNoResults)
 {
   const TemporaryDirectory directory;

@@ -17,7 +17,7 @@ namespace rift
    * folders above it if need be, and sees to it that a file can be written
    * there. Results of an older run are removed if `overwrite` says so: exactly
    * the files that rift gives its names to, solid.pvd, solid-00000.vtu and so
-   * on, and nothing else.
+   * on, its checkpoints, and nothing else.
    *
    * @throws InputError if it is not a directory, if it holds results of an
    *   older run and `overwrite` is false, or if it holds a parameters.prm that
@@ -26,6 +26,17 @@ namespace rift
    */
   void
   prepare_output_directory(const std::string &directory, bool overwrite);
+
+  /**
+   * Sees to it that a run can go on after a restart in `directory`, which keeps
+   * all that is there.
+   *
+   * @throws InputError if there is no such directory, or if it holds a
+   *   parameters.prm that rift did not write.
+   * @throws DiskError if it cannot be written.
+   */
+  void
+  reopen_output_directory(const std::string &directory);
 
   /** Whether rift gives this name (without folder) to a file of results. */
   bool
