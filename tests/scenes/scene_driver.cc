@@ -1,4 +1,5 @@
-// Runs a scene and prints its physics with few digits, for numdiff:
+// Runs a scene on any number of ranks and prints its physics with few digits,
+// for numdiff:
 //   scene_driver SCENE.prm
 // Results go to the folder "results" of the current one.
 
@@ -85,6 +86,36 @@ namespace
         print("smallest " + names[i], smallest[i], scale);
       }
   }
+
+  std::int64_t
+  n_owned_cells(const Simulation &simulation)
+  {
+    return static_cast<std::int64_t>(simulation.topology().n_owned_cells());
+  }
+
+  std::int64_t
+  n_owned_nodes(const Simulation &simulation)
+  {
+    std::int64_t n = 0;
+    for (NodeIndex node = 0; node < simulation.topology().n_nodes(); ++node)
+      n += simulation.topology().owns_node(node) ? 1 : 0;
+    return n;
+  }
+
+  void
+  print_results(const Simulation &simulation)
+  {
+    const Energies &e = simulation.energy_ledger().energies();
+    std::printf("steps: %zu, time: %.4g us\n",
+                static_cast<std::size_t>(simulation.state().step),
+                1e6 * simulation.state().time);
+    std::printf("work of the loads: %s J\n", digits(e.loads).c_str());
+    std::printf("energy balance closes to 1e-4: %s\n",
+                simulation.energy_ledger().largest_relative_residual() <= 1e-4 ?
+                  "yes" :
+                  "no");
+    print_probes("results/probes.csv");
+  }
 } // namespace
 
 int
@@ -96,23 +127,17 @@ main(int argc, char **argv)
       Parameters parameters       = read_parameters(argv[1]);
       parameters.output.directory = "results";
       parameters.output.overwrite = true;
-      Log        log(nullptr);
-      Simulation simulation(parameters, log);
-      std::printf("cells: %zu, nodes: %zu\n",
-                  static_cast<std::size_t>(simulation.topology().n_cells()),
-                  static_cast<std::size_t>(simulation.topology().n_nodes()));
+      const Communicator communicator(MPI_COMM_WORLD);
+      Log                log(nullptr);
+      Simulation         simulation(parameters, log, communicator);
+      const auto         n_cells = communicator.sum(n_owned_cells(simulation));
+      const auto         n_nodes = communicator.sum(n_owned_nodes(simulation));
       simulation.run();
-
-      const Energies &e = simulation.energy_ledger().energies();
-      std::printf("steps: %zu, time: %.4g us\n",
-                  static_cast<std::size_t>(simulation.state().step),
-                  1e6 * simulation.state().time);
-      std::printf("work of the loads: %s J\n", digits(e.loads).c_str());
-      std::printf(
-        "energy balance closes to 1e-4: %s\n",
-        simulation.energy_ledger().largest_relative_residual() <= 1e-4 ? "yes" :
-                                                                         "no");
-      print_probes("results/probes.csv");
+      if (communicator.is_root())
+        {
+          std::printf("cells: %ld, nodes: %ld\n", n_cells, n_nodes);
+          print_results(simulation);
+        }
     }
   catch (const std::exception &error)
     {
