@@ -47,28 +47,41 @@ def read_array(element, appended):
 
 
 def read_fracture(path):
-    """Corners and fields of the cohesive faces in one file."""
+    """Corners and fields of the cohesive faces in the pieces of one file."""
     with open(path, "rb") as file:
         content = file.read()
     start = content.index(b"<AppendedData")
-    piece = ElementTree.fromstring(content[:start] + b"</VTKFile>").find(".//Piece")
+    pieces = ElementTree.fromstring(content[:start] + b"</VTKFile>").iter("Piece")
     appended = content[content.index(b"_", start) + 1:]
-    if int(piece.get("NumberOfCells")) == 0:
-        return np.zeros((0, 3, 3)), None
-    points = read_array(piece.find("Points/DataArray"), appended).reshape(-1, 3)
-    cells = next(a for a in piece.find("Cells") if a.get("Name") == "connectivity")
-    corners = read_array(cells, appended).reshape(-1, 3)
-    fields = {a.get("Name"): read_array(a, appended) for a in piece.find("CellData")}
-    return points[corners].astype(float), fields
+    result = []
+    for piece in pieces:
+        points = read_array(piece.find("Points/DataArray"), appended).reshape(-1, 3)
+        cells = next(a for a in piece.find("Cells") if a.get("Name") == "connectivity")
+        corners = read_array(cells, appended).reshape(-1, 3)
+        fields = {a.get("Name"): read_array(a, appended)
+                  for a in piece.find("CellData")}
+        result.append((points[corners].astype(float), fields))
+    return result
+
+
+def join(pieces):
+    """Corners and fields of all pieces of a state; no fields without faces."""
+    corners = np.concatenate([piece[0] for piece in pieces])
+    if len(corners) == 0:
+        return corners, None
+    return corners, {name: np.concatenate([fields[name] for _, fields in pieces])
+                     for name in pieces[0][1]}
 
 
 def read_fractures(results):
-    """(time, corners, fields) at each time of fracture.pvd."""
+    """(time, corners, fields) at each time of fracture.pvd, which may list
+    several files for a time."""
     series = ElementTree.parse(os.path.join(results, "fracture.pvd"))
-    entries = [(float(d.get("timestep")), d.get("file"))
-               for d in series.iter("DataSet")]
-    return [(time, *read_fracture(os.path.join(results, name)))
-            for time, name in sorted(entries)]
+    pieces = {}
+    for entry in series.iter("DataSet"):
+        pieces.setdefault(float(entry.get("timestep")), []).extend(
+            read_fracture(os.path.join(results, entry.get("file"))))
+    return [(time, *join(pieces[time])) for time in sorted(pieces)]
 
 
 def axial_areas(corners):
