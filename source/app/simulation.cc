@@ -83,8 +83,8 @@ namespace rift
       restore(*restart);
     step_of_last_agreement = this->state().step;
     first_step             = this->state().step;
-    saved_results = restart != nullptr ? std::optional(restart->results) :
-                                         std::nullopt;
+    saved_results =
+      restart != nullptr ? std::optional(restart->results) : std::nullopt;
     timer.stop("setup");
   }
 
@@ -116,7 +116,8 @@ namespace rift
                          parameters.cohesive,
                          stiffnesses,
                          densities,
-                         critical.frequency_squared);
+                         critical.frequency_squared,
+                         body.communicator);
         internal_force.watch(fracture->strengths.stress_bounds());
       }
     if (viscosity > 0)
@@ -164,9 +165,9 @@ namespace rift
                                   body.communicator);
 
     const TimeParameters &time = parameters.time;
-    dt = restart != nullptr ? restart->time_step :
-         time.time_step > 0 ? time.time_step :
-                              time.safety_factor * critical.time_step;
+    dt                         = restart != nullptr ? restart->time_step :
+                                 time.time_step > 0 ? time.time_step :
+                                                      time.safety_factor * critical.time_step;
     // A little tolerance, so that rounding does not add a step.
     const double n_steps = std::ceil(time.end_time / dt * (1 - 1e-12));
     if (!(dt > 0 && n_steps <= largest_number_of_steps))
@@ -179,11 +180,11 @@ namespace rift
     last_step = static_cast<std::uint64_t>(n_steps);
     if (time.time_step == 0 && restart == nullptr)
       dt = time.end_time / last_step;
- if (restart != nullptr && restart->manifest.step >= last_step)
-      throw InputError("the checkpoint is at t = " +
-                       to_text(restart->manifest.time) +
-                       " s, where the run ends. Raise \"End time\" in "
-                       "subsection Time to go on.");
+    if (restart != nullptr && restart->manifest.step >= last_step)
+      throw InputError(
+        "the checkpoint is at t = " + to_text(restart->manifest.time) +
+        " s, where the run ends. Raise \"End time\" in "
+        "subsection Time to go on.");
     log.write("Time step " + short_text(dt) + " s, " +
               short_text(dt / critical.time_step) + " times the bound set by " +
               critical.limited_by + "; " + std::to_string(last_step) +

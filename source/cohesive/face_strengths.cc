@@ -34,7 +34,8 @@ namespace rift
 
   FaceStrengths::FaceStrengths(const Topology                        &topology,
                                const std::vector<MaterialParameters> &materials,
-                               const CohesiveParameters &parameters)
+                               const CohesiveParameters &parameters,
+                               const Communicator       &communicator)
     : topology(topology)
     , n_materials(materials.size())
   {
@@ -45,9 +46,15 @@ namespace rift
         for (const MaterialParameters &b : materials)
           pairs.push_back(weaker_of(a, b));
       }
-    if (!any_scatter)
-      return;
+    if (any_scatter)
+      scatter(materials, parameters.seed);
+    find_bounds(communicator);
+  }
 
+  void
+  FaceStrengths::scatter(const std::vector<MaterialParameters> &materials,
+                         const unsigned int                     seed)
+  {
     factors.assign(topology.faces.size(), 1.);
     for (FaceIndex face = 0; face < topology.faces.size(); ++face)
       {
@@ -60,7 +67,7 @@ namespace rift
               modulus = m;
           }
         if (modulus > 0)
-          factors[face] = random_factor(face, modulus, parameters.seed);
+          factors[face] = random_factor(face, modulus, seed);
       }
   }
 
@@ -105,36 +112,44 @@ namespace rift
     return result;
   }
 
-  std::vector<std::optional<StressBound>>
-  FaceStrengths::stress_bounds() const
+  void
+  FaceStrengths::find_bounds(const Communicator &communicator)
   {
     constexpr double margin = .9;
 
     // One friction angle for all materials: with different ones on its two
     // sides, a face could be at its strength and neither cell at its bound.
     // The least friction allows the most shear in compression.
-    double tan = std::numeric_limits<double>::max();
+    constexpr double largest = std::numeric_limits<double>::max();
+    double           tan     = largest;
     for (const auto &pair : pairs)
       if (pair)
         tan = std::min(tan, pair->tan_friction_angle);
     const double cos = 1 / std::sqrt(1 + tan * tan);
 
-    std::vector<std::optional<StressBound>> bounds(n_materials);
+    std::vector<double> tensile_strengths(n_materials, largest);
+    std::vector<double> cohesions(n_materials, largest);
     for (FaceIndex face = 0; face < topology.faces.size(); ++face)
       if (is_breakable(face))
         for (const CellIndex cell : topology.faces[face].cells)
           {
-            const FaceStrength s     = strength(face);
-            auto              &bound = bounds[topology.material(cell)];
-            if (!bound)
-              bound = StressBound{margin * s.tensile_strength,
-                                  margin * s.cohesion,
-                                  tan,
-                                  cos};
-            bound->tensile_strength =
-              std::min(bound->tensile_strength, margin * s.tensile_strength);
-            bound->cohesion = std::min(bound->cohesion, margin * s.cohesion);
+            const FaceStrength s = strength(face);
+            const auto         m = topology.material(cell);
+            tensile_strengths[m] =
+              std::min(tensile_strengths[m], s.tensile_strength);
+            cohesions[m] = std::min(cohesions[m], s.cohesion);
           }
-    return bounds;
+
+    // Of the whole body: which cells are looked at must not depend on the rank.
+    bounds.resize(n_materials);
+    for (std::size_t m = 0; m < n_materials; ++m)
+      {
+        const double tensile_strength =
+          -communicator.max(-tensile_strengths[m]);
+        const double cohesion = -communicator.max(-cohesions[m]);
+        if (tensile_strength < largest)
+          bounds[m] =
+            StressBound{margin * tensile_strength, margin * cohesion, tan, cos};
+      }
   }
 } // namespace rift

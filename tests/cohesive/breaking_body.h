@@ -76,7 +76,7 @@ namespace rift::test
       , state(discrete.state)
       , internal_force(topology, discrete.reference, laws_of(materials))
       , activity(topology)
-      , strengths(topology, materials, parameters)
+      , strengths(topology, materials, parameters, communicator)
       , critical(find_critical_time_step(stiffness_factor))
       , insertion(topology, discrete.reference, internal_force, strengths)
       , force(topology,

@@ -164,6 +164,30 @@ namespace
   }
 } // namespace
 
+// Which cells are looked at before faces break must not depend on the rank,
+// though only one of them has the weakest face.
+TEST(DividedCracks, AllRanksLookAtTheSameCells)
+{
+  const Communicator communicator(MPI_COMM_WORLD);
+  MaterialParameters material = granite();
+  material.weibull_modulus    = 3;
+  for (unsigned int seed = 1; seed <= 5; ++seed)
+    {
+      Body whole = make_box({3, 3, 2}, h, .2, seed);
+      order(whole);
+      std::mt19937 random(seed);
+      const auto   owners =
+        random_owners(whole.cells.size(), communicator.size(), random);
+      const BodyPart     part = part_of(whole, owners, communicator.rank());
+      const BreakingBody here(part, {material}, .25, {}, communicator);
+      const BreakingBody there(whole, {material});
+      const auto        &a = here.strengths.stress_bounds()[0];
+      const auto        &b = there.strengths.stress_bounds()[0];
+      EXPECT_EQ(a->tensile_strength, b->tensile_strength);
+      EXPECT_EQ(a->cohesion, b->cohesion);
+    }
+}
+
 TEST(DividedCracks, AreTheSameForAnyPartition)
 {
   const Communicator communicator(MPI_COMM_WORLD);

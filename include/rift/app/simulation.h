@@ -113,8 +113,9 @@ namespace rift
                const CohesiveParameters              &parameters,
                const std::vector<StiffnessMatrix>    &stiffnesses,
                const std::vector<double>             &densities,
-               const double                           frequency_limit)
-        : strengths(topology, materials, parameters)
+               const double                           frequency_limit,
+               const Communicator                    &communicator)
+        : strengths(topology, materials, parameters, communicator)
         , insertion(topology, reference, internal_force, strengths)
         , force(topology,
                 reference,

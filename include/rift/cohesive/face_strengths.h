@@ -1,6 +1,7 @@
 #ifndef rift_cohesive_face_strengths_h
 #define rift_cohesive_face_strengths_h
 
+#include <rift/base/communicator.h>
 #include <rift/cohesive/cohesive_parameters.h>
 #include <rift/cohesive/laws/mohr_coulomb.h>
 #include <rift/material/material_parameters.h>
@@ -25,9 +26,11 @@ namespace rift
   class FaceStrengths
   {
   public:
+    /** Collective. */
     FaceStrengths(const Topology                        &topology,
                   const std::vector<MaterialParameters> &materials,
-                  const CohesiveParameters              &parameters);
+                  const CohesiveParameters              &parameters,
+                  const Communicator &communicator = Communicator());
 
     bool
     is_breakable(FaceIndex face) const;
@@ -36,16 +39,26 @@ namespace rift
     strength(FaceIndex face) const;
 
     /**
-     * Per material the stress below which none of its faces can break, with
-     * some margin; nothing for materials that do not break.
+     * Per material the stress below which none of its faces can break, on any
+     * rank, with some margin; nothing for materials that do not break.
      */
-    std::vector<std::optional<StressBound>>
-    stress_bounds() const;
+    const std::vector<std::optional<StressBound>> &
+    stress_bounds() const
+    {
+      return bounds;
+    }
 
   private:
     /** Of the material pair of a face, without scatter. */
     const std::optional<FaceStrength> &
     of_materials(FaceIndex face) const;
+
+    void
+    scatter(const std::vector<MaterialParameters> &materials,
+            unsigned int                           seed);
+
+    void
+    find_bounds(const Communicator &communicator);
 
     double
     random_factor(FaceIndex face, double weibull_modulus, unsigned int seed);
@@ -58,6 +71,8 @@ namespace rift
 
     /** For each face; empty where nothing scatters. */
     std::vector<double> factors;
+
+    std::vector<std::optional<StressBound>> bounds;
   };
 } // namespace rift
 
