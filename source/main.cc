@@ -6,8 +6,10 @@
 #include <rift/app/run.h>
 #include <rift/base/exceptions.h>
 
+#include <chrono>
 #include <iostream>
 #include <new>
+#include <thread>
 
 namespace
 {
@@ -44,23 +46,43 @@ namespace
       throw rift::DiskError("cannot write to the standard output.");
   }
 
-  int
-  complain(const std::string   &message,
-           const rift::ExitCode exit_code,
-           const bool           speaks)
+  /**
+   * Waits a little for all ranks to end with an error. Most errors are the same
+   * on all of them; when one of them is alone with its error, the others would
+   * wait for it for ever.
+   */
+  bool
+  all_have_failed(const MPI_Comm communicator)
   {
-    if (speaks)
-      std::cerr << "rift: error: " << message << std::endl;
-    return static_cast<int>(exit_code);
+    constexpr std::chrono::seconds patience(5);
+
+    MPI_Request request;
+    MPI_Ibarrier(communicator, &request);
+    const auto start = std::chrono::steady_clock::now();
+    int        done  = 0;
+    while (std::chrono::steady_clock::now() - start < patience)
+      {
+        MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+        if (done != 0)
+          return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
+    return false;
   }
-  /** For what has happened on this rank alone: the others may wait for it. */
+
+  /** Says what is wrong, once, and ends all ranks. */
   int
-  give_up(const std::string &message)
+  fail(const std::string   &message,
+       const rift::ExitCode exit_code,
+       const MPI_Comm       communicator)
   {
-    const int exit_code = complain(message, rift::ExitCode::run_error, true);
-    if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
-      MPI_Abort(MPI_COMM_WORLD, exit_code);
-    return exit_code;
+    const int  code   = static_cast<int>(exit_code);
+    const bool failed = all_have_failed(communicator);
+    if (!failed || dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      std::cerr << "rift: error: " << message << std::endl;
+    if (!failed)
+      MPI_Abort(communicator, code);
+    return code;
   }
 } // namespace
 
@@ -70,26 +92,35 @@ main(int argc, char **argv)
   // One thread: ranks are rift's only kind of parallelism.
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
+  // Of its own, since other ranks may be in the midst of a call on the world.
+  MPI_Comm for_errors;
+  MPI_Comm_dup(MPI_COMM_WORLD, &for_errors);
   const bool speaks =
     dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  int exit_code = static_cast<int>(rift::ExitCode::done);
   try
     {
       execute(rift::parse_command_line(argc, argv), speaks);
     }
   catch (const rift::Error &error)
     {
-      return complain(error.what(), error.exit_code, speaks);
+      exit_code = fail(error.what(), error.exit_code, for_errors);
     }
   catch (const std::bad_alloc &)
     {
-      return give_up("the memory of this machine is too small for this "
-                     "scene. Use larger elements.");
+      exit_code = fail("the memory of this machine is too small for this "
+                       "scene. Use larger elements.",
+                       rift::ExitCode::run_error,
+                       for_errors);
     }
   catch (const std::exception &error)
     {
-      return give_up(std::string("rift has failed in a way that it does not "
-                                 "foresee. Please report this: ") +
-                     error.what());
+      exit_code = fail(std::string("rift has failed in a way that it does not "
+                                   "foresee. Please report this: ") +
+                         error.what(),
+                       rift::ExitCode::run_error,
+                       for_errors);
     }
-  return static_cast<int>(rift::ExitCode::done);
+  MPI_Comm_free(&for_errors);
+  return exit_code;
 }
