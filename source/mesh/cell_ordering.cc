@@ -1,5 +1,6 @@
 #include <rift/mesh/cell_ordering.h>
 
+#include <deal.II/base/bounding_box.h>
 #include <deal.II/base/point.h>
 #include <deal.II/base/utilities.h>
 
@@ -11,6 +12,23 @@ namespace rift
 {
   namespace
   {
+    // deal.II stretches the bounding box of the points to a cube, and a curve
+    // through a long body would then be cut into long parts. With two more
+    // points, at which there is no cell, the box is a cube before.
+    void
+    append_corners_of_cube(std::vector<dealii::Point<dim>> &points)
+    {
+      const dealii::BoundingBox<dim> box(points);
+      double                         edge = 0;
+      for (unsigned int d = 0; d < dim; ++d)
+        edge = std::max(edge, box.side_length(d));
+      dealii::Point<dim> first = box.get_boundary_points().first, last = first;
+      for (unsigned int d = 0; d < dim; ++d)
+        last[d] += edge;
+      points.push_back(first);
+      points.push_back(last);
+    }
+
     // The index that the new order has at each place.
     std::vector<GlobalCellIndex>
     sort_cells(const MeshData &mesh)
@@ -20,6 +38,7 @@ namespace rift
         for (const VertexIndex v : mesh.cells[c])
           for (unsigned int d = 0; d < dim; ++d)
             centres[c][d] += 0.25 * mesh.vertices[v][d];
+      append_corners_of_cube(centres);
       const auto place_on_curve =
         dealii::Utilities::inverse_Hilbert_space_filling_curve(centres);
 

@@ -154,6 +154,31 @@ TEST(CellOrdering, MaterialsThenCurveThenFirstTouch)
   EXPECT_LT(mean, 0.08);
 }
 
+TEST(CellOrdering, LongBodiesAreCutAcross)
+{
+  MeshParameters parameters;
+  parameters.shape        = MeshParameters::Shape::box;
+  parameters.box_size     = {{1, 8, 1}};
+  parameters.element_size = 0.3;
+  MeshData mesh           = read_mesh(parameters);
+  order_cells(mesh);
+
+  // Each eighth of the order is about an eighth of the length, in which the
+  // mean distance from the middle is a quarter; it is 1 in cells that lie in
+  // a half of the length and a quarter of the section.
+  const std::size_t n_parts = 8, size = mesh.cells.size() / n_parts;
+  double            deviation = 0;
+  for (std::size_t part = 0; part < n_parts; ++part)
+    {
+      double middle = 0;
+      for (std::size_t c = part * size; c < (part + 1) * size; ++c)
+        middle += centre(mesh, c)[1] / size;
+      for (std::size_t c = part * size; c < (part + 1) * size; ++c)
+        deviation += std::abs(centre(mesh, c)[1] - middle) / (size * n_parts);
+    }
+  EXPECT_LT(deviation, .4);
+}
+
 TEST(CellOrdering, IndependentOfTheOrderInTheFile)
 {
   MeshData sorted = make_mesh();
