@@ -324,7 +324,9 @@ namespace rift
   run_simulation(const Parameters &parameters, const bool is_restart)
   {
     const Communicator communicator(MPI_COMM_WORLD);
-    Log log(communicator.is_root() ? &std::cout : nullptr, is_terminal());
+    // To a program under mpirun a terminal and a pipe look the same.
+    const bool interactive = communicator.size() == 1 && is_terminal();
+    Log log(communicator.is_root() ? &std::cout : nullptr, interactive);
     if (!parameters.title.empty())
       log.write(parameters.title);
     std::optional<Restart> restart;
