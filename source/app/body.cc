@@ -184,7 +184,6 @@ namespace rift
       for (const ProbeParameters &probe : parameters.probes)
         if (!probe.boundary.empty())
           check_boundary(probe.boundary, "Probe " + probe.name, mesh);
-      check_number_of_ranks(mesh, communicator.size());
       order_cells(mesh);
     });
     return mesh;
@@ -197,6 +196,8 @@ namespace rift
             const Communicator     &communicator,
             Log                    &log)
   {
+    communicator.on_root(
+      [&] { check_number_of_ranks(mesh, communicator.size()); });
     const MeshData names = share_names(mesh, communicator);
     Body body{communicator, {Topology({}, 0), {}, {}, {}}, {}, {}, {}};
     for (const std::string &name : names.material_names)

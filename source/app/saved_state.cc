@@ -126,7 +126,7 @@ namespace rift
     return saved;
   }
 
-  TopologyChange
+  void
   restore_nodes(const SavedState          &saved,
                 const std::vector<double> &densities,
                 Discretization            &discretization,
@@ -140,7 +140,7 @@ namespace rift
         faces.push_back(face);
     std::sort(faces.begin(), faces.end());
 
-    TopologyChange change = split_nodes(topology, faces);
+    const TopologyChange change = split_nodes(topology, faces);
     state.grow(change);
     for (const NodeSplit &split : change.splits)
       for (const NodeIndex part : split.parts)
@@ -154,7 +154,6 @@ namespace rift
     move_nodes(saved.nodes, topology, state, activity);
     exchange.send(topology, state, change.splits, {});
     exchange.receive(topology, state, activity);
-    return change;
   }
 
   std::vector<double>

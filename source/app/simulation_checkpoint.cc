@@ -19,14 +19,15 @@ namespace rift
   namespace
   {
     /** What may change between a checkpoint and the scene that goes on. */
-    const std::vector<std::string> may_differ = {"Title",
-                                                 "Checkpoint",
-                                                 "Mesh/Partition",
-                                                 "Output/Directory",
-                                                 "Output/Overwrite",
-                                                 "Output/Ranks per file",
-                                                 "Time/End time",
-                                                 "Time/Largest energy residual"};
+    const std::vector<std::string> may_differ = {
+      "Title",
+      "Checkpoint",
+      "Mesh/Partition",
+      "Output/Directory",
+      "Output/Overwrite",
+      "Output/Ranks per file",
+      "Time/End time",
+      "Time/Largest energy residual"};
 
     void
     check_same_scene(const Parameters &parameters, const CheckpointSet &set)
@@ -40,9 +41,8 @@ namespace rift
       std::string text = "the scene is not that of the checkpoint " + set.path;
       for (const std::string &difference : differences)
         text += "\n  " + difference;
-      throw InputError(text +
-                       "\nGo on with the same parameters, or start anew "
-                       "without --restart.");
+      throw InputError(text + "\nGo on with the same parameters, or start anew "
+                              "without --restart.");
     }
 
     /** Adds sums of one more rank to those of the others. */
@@ -90,8 +90,8 @@ namespace rift
             continue;
           restart.time_step = file.read_value<double>("time step");
           restart.face_cost = file.read_value<double>("cost of a face");
-          restart.ledger = file.read_value<EnergyLedger::Record>("ledger");
-          restart.results = SavedResults::read(file);
+          restart.ledger    = file.read_value<EnergyLedger::Record>("ledger");
+          restart.results   = SavedResults::read(file);
         }
       if (communicator.is_root())
         restart.mesh = unpack_mesh(set.read_mesh().read_text("mesh"));
@@ -135,9 +135,7 @@ namespace rift
   Simulation::work_sums()
   {
     std::vector<ExactSum *> sums;
-    const auto              add = [&sums](ExactSum &sum) {
-      sums.push_back(&sum);
-    };
+    const auto add = [&sums](ExactSum &sum) { sums.push_back(&sum); };
     for (SurfaceLoad &load : surface_loads)
       load.work().for_each_sum(add);
     if (prescribed_motion)
@@ -150,13 +148,12 @@ namespace rift
   void
   Simulation::write_checkpoint()
   {
-    const std::string directory = parameters.output.directory;
-    const SavedState  saved =
-      save_body(body.discretization,
-                internal_force,
-                activity,
-                fracture ? &fracture->force : nullptr);
-    const auto results_now = results.synchronize();
+    const std::string directory   = parameters.output.directory;
+    const SavedState  saved       = save_body(body.discretization,
+                                       internal_force,
+                                       activity,
+                                       fracture ? &fracture->force : nullptr);
+    const auto        results_now = results.synchronize();
     if (!checkpoint_writer)
       checkpoint_writer.emplace(
         directory,
@@ -190,9 +187,14 @@ namespace rift
   bool
   Simulation::is_unbalanced()
   {
-    // What a rank has computed and not waited since the last time.
-    const double busy    = timer.total() - timer.seconds_of("exchange") -
-                        timer.seconds_of("checkpoints");
+    // What a rank has computed since the last time; all else is waiting, too.
+    double busy = 0;
+    for (const char *stage : {"insertion",
+                              "internal forces",
+                              "cohesive forces",
+                              "loads and damping",
+                              "kick and drift"})
+      busy += timer.seconds_of(stage);
     const double seconds = busy - busy_before;
     busy_before          = busy;
     ExactSum sum;
@@ -210,9 +212,9 @@ namespace rift
     // As measured; at the start, and where there is too little to measure, as
     // on the machine on which rift was written.
     constexpr double usual_cost = 15;
-    const double     n_faces = fracture ? fracture->force.faces().size() : 0;
-    const double     cells   = timer.seconds_of("internal forces");
-    const double     faces   = timer.seconds_of("cohesive forces");
+    const double     n_faces    = fracture ? fracture->force.faces().size() : 0;
+    const double     cells      = timer.seconds_of("internal forces");
+    const double     faces      = timer.seconds_of("cohesive forces");
     if (n_faces < 100 || cells <= 0 || faces <= 0)
       return usual_cost;
     const double per_cell = cells / (batch_size * activity.n_awake());

@@ -202,10 +202,12 @@ namespace rift
     const auto interval = parameters.checkpoint.interval_in_steps;
     // After this step.
     is_checkpoint_due |= interval > 0 && (state().step + 1) % interval == 0;
-    if (history || solution || is_last || is_checkpoint_due ||
+    const bool balance =
+      history || is_last || state().step % balance_interval == 0;
+    if (balance || solution || is_checkpoint_due ||
         state().step >= next_agreement)
       agree();
-    if (history || is_last || state().step % balance_interval == 0)
+    if (balance)
       balance_energy();
     if (history)
       results.write_history(snapshot());
@@ -326,7 +328,7 @@ namespace rift
     const Communicator communicator(MPI_COMM_WORLD);
     // To a program under mpirun a terminal and a pipe look the same.
     const bool interactive = communicator.size() == 1 && is_terminal();
-    Log log(communicator.is_root() ? &std::cout : nullptr, interactive);
+    Log        log(communicator.is_root() ? &std::cout : nullptr, interactive);
     if (!parameters.title.empty())
       log.write(parameters.title);
     std::optional<Restart> restart;

@@ -306,9 +306,12 @@ namespace rift
                       const OpeningCorner *first,
                       const OpeningCorner *last)
   {
-    const std::uint32_t  index = index_of_face[first->face];
-    CohesiveBatch       &batch = cohesive_faces.batches[index / batch_size];
-    const unsigned int   lane  = index % batch_size;
+    const std::uint32_t index = index_of_face[first->face];
+    CohesiveBatch      &batch = cohesive_faces.batches[index / batch_size];
+    const unsigned int  lane  = index % batch_size;
+    // Let go of: see release_distant_faces().
+    if (batch.area[lane] == 0)
+      return;
     const FaceKinematics kinematics(batch, state);
 
     // In the frame of the face. Corners that are still bonded are given the

@@ -2,6 +2,8 @@
 #include <rift/discretization/discretize.h>
 #include <rift/mesh/node_splitter.h>
 
+#include <deal.II/base/multithread_info.h>
+
 #include <deal.II/dofs/dof_handler.h>
 
 #include <deal.II/fe/fe_simplex_p.h>
@@ -63,6 +65,31 @@ namespace rift
     }
   } // namespace
 
+  namespace
+  {
+    /**
+     * Keeps FEValues from taking over the gradients of the cell before where
+     * both have the same shape: they differ in the last bits, and which cell
+     * is before depends on the rank. deal.II does so on one thread only.
+     */
+    class CellByCell
+    {
+    public:
+      CellByCell()
+      {
+        dealii::MultithreadInfo::set_thread_limit(2);
+      }
+
+      ~CellByCell()
+      {
+        dealii::MultithreadInfo::set_thread_limit(n_threads);
+      }
+
+    private:
+      const unsigned int n_threads = dealii::MultithreadInfo::n_threads();
+    };
+  } // namespace
+
   Discretization
   discretize(const Triangulation       &triangulation,
              const std::vector<double> &densities,
@@ -80,6 +107,7 @@ namespace rift
                                   dealii::update_gradients |
                                     dealii::update_JxW_values);
     dof_handler.distribute_dofs(fe);
+    const CellByCell cell_by_cell;
 
     const auto     cells = sorted_cells(dof_handler);
     Discretization result{

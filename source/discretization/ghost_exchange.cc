@@ -2,6 +2,7 @@
 #include <rift/mesh/mesh_data.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <map>
 
@@ -368,20 +369,27 @@ namespace rift
                                State          &state,
                                Activity       &activity) const
   {
+    const auto is_at_rest = [&](const NodeIndex node) {
+      double largest = 0;
+      for (unsigned int d = 0; d < dim; ++d)
+        largest = std::max({largest,
+                            std::abs(state.displacement[node][d]),
+                            std::abs(state.velocity[node][d])});
+      return largest == 0;
+    };
     for (const NodeIndex node : teller.nodes)
       {
-        NodalVector &u = state.displacement[node];
         // What has moved once has woken its cells.
-        const bool was_at_rest = u[0] == 0 && u[1] == 0 && u[2] == 0;
-        std::memcpy(u.v, values, dim * sizeof(double));
+        const bool was_at_rest = is_at_rest(node);
+        std::memcpy(state.displacement[node].v, values, dim * sizeof(double));
         values += dim * sizeof(double);
-        if (was_at_rest && (u[0] != 0 || u[1] != 0 || u[2] != 0))
-          activity.wake_node(topology, node);
         if (has_velocities)
           {
             std::memcpy(state.velocity[node].v, values, dim * sizeof(double));
             values += dim * sizeof(double);
           }
+        if (was_at_rest && !is_at_rest(node))
+          activity.wake_node(topology, node);
       }
   }
 

@@ -39,7 +39,8 @@ namespace rift
             if (boundary.parameters.velocity[d].empty())
               continue;
             for (const NodeIndex node : nodes)
-              if (!((prescribed_components[node] >> d) & 1))
+              if (topology.is_complete(topology.node_vertices[node]) &&
+                  !((prescribed_components[node] >> d) & 1))
                 {
                   prescribed_components[node] |= 1u << d;
                   conditions.push_back(

@@ -15,17 +15,34 @@ namespace rift
     cut_curve(const std::vector<double> &weights, const int n_ranks)
     {
       const double total = std::accumulate(weights.begin(), weights.end(), 0.);
+      const auto   n_cells = static_cast<std::int64_t>(weights.size());
       std::vector<int> owners;
       owners.reserve(weights.size());
       double sum = 0;
-      for (const double weight : weights)
+      for (std::int64_t cell = 0; cell < n_cells; ++cell)
         {
-          // The middle of a cell on the curve decides.
-          const double place = n_ranks * (sum + .5 * weight) / total;
-          owners.push_back(std::min(static_cast<int>(place), n_ranks - 1));
-          sum += weight;
+          // The middle of a cell on the curve decides, but every rank gets a
+          // cell at least.
+          const double place = n_ranks * (sum + .5 * weights[cell]) / total;
+          const auto   smallest =
+            std::max<std::int64_t>(0, n_ranks - (n_cells - cell));
+          const std::int64_t largest =
+            owners.empty() ? 0 : std::min(owners.back() + 1, n_ranks - 1);
+          owners.push_back(static_cast<int>(
+            std::max(smallest,
+                     std::min(static_cast<std::int64_t>(place), largest))));
+          sum += weights[cell];
         }
       return owners;
+    }
+
+    bool
+    has_empty_rank(const std::vector<int> &owners, const int n_ranks)
+    {
+      std::vector<bool> is_used(n_ranks, false);
+      for (const int owner : owners)
+        is_used[owner] = true;
+      return std::find(is_used.begin(), is_used.end(), false) != is_used.end();
     }
 
     std::vector<int>
@@ -51,7 +68,8 @@ namespace rift
         }
       graph.compress();
 
-      // METIS counts in integers.
+      // METIS counts in integers of 32 bits.
+      const double unit    = std::min(1000., 1e9 / n_cells);
       const double largest = *std::max_element(weights.begin(), weights.end());
       std::vector<unsigned int> counts, owners(n_cells);
       for (const double weight : weights)
@@ -72,8 +90,13 @@ namespace rift
       return std::vector<int>(mesh.cells.size(), 0);
     const std::vector<double> all =
       weights.empty() ? std::vector<double>(mesh.cells.size(), 1.) : weights;
-    return method == MeshParameters::Partition::metis ?
-             cut_graph(mesh, all, n_ranks) :
-             cut_curve(all, n_ranks);
+    if (method == MeshParameters::Partition::metis)
+      {
+        std::vector<int> owners = cut_graph(mesh, all, n_ranks);
+        // It does so where there are few cells for each.
+        if (!has_empty_rank(owners, n_ranks))
+          return owners;
+      }
+    return cut_curve(all, n_ranks);
   }
 } // namespace rift

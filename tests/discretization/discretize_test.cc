@@ -85,6 +85,46 @@ TEST(Discretize, CellsAreThoseOfTheMesh)
     }
 }
 
+// Cells of the same shape, at places that no binary number has, whatever the
+// cell before: other ranks see other cells.
+TEST(Discretize, CellsDoNotDependOnOthers)
+{
+  test::Body body = test::make_box({{4, 3, 3}}, .1 / 3, 0.);
+  test::order(body);
+  const Discretization whole = discretized_by_dealii(body);
+  std::mt19937         random(1);
+  for (unsigned int run = 0; run < 10; ++run)
+    {
+      test::Body part = body;
+      std::shuffle(part.cells.begin(), part.cells.end(), random);
+      part.cells.resize(part.cells.size() / 3);
+      test::order(part);
+      const Discretization result = discretized_by_dealii(part);
+      // Found again by their corners, which keep their places.
+      unsigned int n_same = 0;
+      for (const LocalCell &cell : part.cells)
+        for (const LocalCell &other : body.cells)
+          {
+            bool is_same = true;
+            for (unsigned int c = 0; c < n_corners; ++c)
+              is_same &= part.vertices[cell.vertices[c]] ==
+                         body.vertices[other.vertices[c]];
+            if (!is_same)
+              continue;
+            ++n_same;
+            const CellIndex a = result.topology.find_cell(cell.global_index);
+            const CellIndex b = whole.topology.find_cell(other.global_index);
+            EXPECT_EQ(result.reference[a / batch_size].volume[a % batch_size],
+                      whole.reference[b / batch_size].volume[b % batch_size]);
+            for (unsigned int c = 0; c < n_corners; ++c)
+              EXPECT_EQ(
+                result.reference[a / batch_size].gradient(c, a % batch_size),
+                whole.reference[b / batch_size].gradient(c, b % batch_size));
+          }
+      EXPECT_EQ(n_same, part.cells.size());
+    }
+}
+
 TEST(Discretize, GradientsVolumesAndMasses)
 {
   const test::Body         body     = make_body();

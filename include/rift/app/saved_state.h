@@ -21,6 +21,7 @@ namespace rift
     GlobalCellIndex cell;
     std::uint32_t   corner;
 
+    /** m and m/s. */
     std::array<double, dim> displacement, velocity;
   };
 
@@ -41,7 +42,7 @@ namespace rift
     /** InternalForce::hot_cells(). */
     std::vector<GlobalCellIndex> hot_cells;
 
-    /** Cells that have not moved yet; they cost nothing. */
+    /** Cells that have not moved yet; they cost next to nothing. */
     std::vector<GlobalCellIndex> resting_cells;
 
     void
@@ -64,9 +65,8 @@ namespace rift
    * Collective.
    *
    * @param state of all ranks together.
-   * @return the nodes that this has split, for those that hold nodes.
    */
-  TopologyChange
+  void
   restore_nodes(const SavedState          &state,
                 const std::vector<double> &densities,
                 Discretization            &discretization,

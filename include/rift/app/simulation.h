@@ -61,10 +61,6 @@ namespace rift
     End
     run(const StopSignals *signals = nullptr);
 
-    /** Writes a checkpoint of the state between two steps. Collective. */
-    void
-    write_checkpoint();
-
     /**
      * Goes from t_n to t_(n+1); the last call stops before the kick, at the
      * end time. Writes results only within run().
@@ -134,6 +130,10 @@ namespace rift
 
     void
     make_modules();
+
+    /** Writes a checkpoint of the state between two steps. Collective. */
+    void
+    write_checkpoint();
 
     void
     choose_time_step(const Restart *restart);

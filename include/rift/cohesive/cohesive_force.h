@@ -93,8 +93,8 @@ namespace rift
      * @param prescribed where the motion of nodes is prescribed, the
      *   acceleration of a component of one: that is then the common one, and
      *   the grip takes what is left of the balance.
-     * @return the bond forces, shared over the faces between the nodes by
-     *   area: what start_openings() needs at the end of the step.
+     * @return the bond forces, shared over the faces between the nodes such
+     *   that the mean square of traction is smallest: what start_openings() needs at the end of the step.
      */
     std::vector<OpeningCorner>
     hold_partings(State &state, const PrescribedAcceleration &prescribed);

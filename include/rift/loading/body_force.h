@@ -5,6 +5,8 @@
 #include <rift/discretization/state.h>
 #include <rift/loading/loading_parameters.h>
 
+#include <cmath>
+
 namespace rift
 {
   /** Gravity; not constructed where there is none. */
@@ -26,8 +28,10 @@ namespace rift
     add_to(State &state) const
     {
       for (std::size_t i = 0; i < state.n_nodes(); ++i)
-        for (unsigned int d = 0; d < dim; ++d)
-          state.force[i][d] += state.mass[i] * gravity[d];
+        // Where the mass is infinite, other ranks know the motion.
+        if (std::isfinite(state.mass[i]))
+          for (unsigned int d = 0; d < dim; ++d)
+            state.force[i][d] += state.mass[i] * gravity[d];
     }
 
     /** Work since the start on the nodes that this rank owns, J: that of the

@@ -18,7 +18,7 @@ namespace rift
    *
    * @param mesh in the order of order_cells(); empty where another rank has it.
    * @param weights cost of each cell; empty: all the same.
-   * @return the rank of each cell.
+   * @return the rank of each cell; each rank has one at least.
    */
   std::vector<int>
   partition_cells(const MeshData            &mesh,

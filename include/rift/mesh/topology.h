@@ -244,7 +244,8 @@ namespace rift
 
     /**
      * Interior face at each local face of each cell; local face f is the one
-     * opposite to corner f. invalid_index on the surface of the body.
+     * opposite to corner f. invalid_index on the surface of the body, and of what
+     * this rank sees of it.
      */
     std::vector<std::array<FaceIndex, n_corners>> cell_faces;
 
