@@ -111,21 +111,12 @@ namespace rift
       return surfaces;
     }
 
-    std::size_t
-    count_nodes(const Body &body)
-    {
-      const Topology &topology = body.discretization.topology;
-      std::int64_t    n        = 0;
-      for (NodeIndex node = 0; node < topology.n_nodes(); ++node)
-        n += topology.owns_node(node) ? 1 : 0;
-      return static_cast<std::size_t>(body.communicator.sum(n));
-    }
-
     /** Says what the mesh is. Collective. */
     void
     describe(const Body &body, const MeshData &mesh, Log &log)
     {
-      const std::size_t n_nodes = count_nodes(body);
+      const std::size_t n_nodes =
+        body.communicator.sum(body.discretization.topology.n_owned_nodes());
       if (!body.communicator.is_root())
         return;
       const auto list = [](const std::vector<std::string> &names) {

@@ -28,16 +28,6 @@ namespace rift
       return densities;
     }
 
-    /** Number of nodes that this rank owns. */
-    std::size_t
-    n_owned_nodes(const Topology &topology)
-    {
-      std::size_t n = 0;
-      for (NodeIndex node = 0; node < topology.n_nodes(); ++node)
-        n += topology.owns_node(node) ? 1 : 0;
-      return n;
-    }
-
     /** The terms of the ledger with their names. */
     NamedNumbers
     named_energies(const EnergyLedger &ledger)
@@ -97,7 +87,8 @@ namespace rift
   SavedResults::write(CheckpointFileWriter &file) const
   {
     file.write<std::uint64_t>(
-      "results", {n_solutions, n_rows, probes_length, energy_length});
+      "results",
+      {n_solutions, n_rows, probes_length, energy_length});
     write_states(file, "solid", solid);
     write_states(file, "fracture", fracture);
   }
@@ -123,7 +114,7 @@ namespace rift
     , history_interval(parameters.output.history_interval)
     , ranks_per_file(parameters.output.ranks_per_file)
     , initial_nodes(
-        communicator.sum(n_owned_nodes(body.discretization.topology)))
+        communicator.sum(body.discretization.topology.n_owned_nodes()))
   {
     const Discretization &d = body.discretization;
     for (const ProbeParameters &p : parameters.probes)
@@ -312,7 +303,7 @@ namespace rift
     summary.version           = RIFT_VERSION;
     summary.cells             = communicator.sum(d.topology.n_owned_cells());
     summary.nodes_initial     = initial_nodes;
-    summary.nodes_final       = communicator.sum(n_owned_nodes(d.topology));
+    summary.nodes_final       = communicator.sum(d.topology.n_owned_nodes());
     summary.steps             = d.state.step;
     summary.time              = d.state.time;
     summary.time_step         = snapshot.time_step;

@@ -1,3 +1,4 @@
+#include <rift/base/bytes.h>
 #include <rift/discretization/ghost_exchange.h>
 #include <rift/mesh/mesh_data.h>
 
@@ -52,22 +53,6 @@ namespace rift
 
     /** Of all messages here: there is one per step and pair of ranks. */
     constexpr int tag = 3;
-
-    template <typename T>
-    std::string
-    to_bytes(const std::vector<T> &data)
-    {
-      return {reinterpret_cast<const char *>(data.data()),
-              data.size() * sizeof(T)};
-    }
-
-    template <typename T>
-    std::vector<T>
-    from_bytes(const std::string &bytes)
-    {
-      const char *begin = bytes.data();
-      return take<T>(begin, bytes.size() / sizeof(T));
-    }
   } // namespace
 
   GhostExchange::GhostExchange(const Communicator &the_communicator,

@@ -126,6 +126,15 @@ namespace rift
     face_states.assign(faces.size(), FaceState::intact);
   }
 
+  std::size_t
+  Topology::n_owned_nodes() const
+  {
+    std::size_t n = 0;
+    for (NodeIndex node = 0; node < n_nodes(); ++node)
+      n += owns_node(node) ? 1 : 0;
+    return n;
+  }
+
   unsigned int
   Topology::corner_at_vertex(const CellIndex cell, const VertexIndex v) const
   {

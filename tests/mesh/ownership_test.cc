@@ -73,8 +73,7 @@ TEST_P(Ownership, EachNodeHasOneOwner)
   const auto n_owned = [&] {
     std::size_t n = 0;
     for (const DiscreteBody &part : divided.bodies)
-      for (NodeIndex node = 0; node < part.topology.n_nodes(); ++node)
-        n += part.topology.owns_node(node);
+      n += part.topology.n_owned_nodes();
     return n;
   };
   EXPECT_EQ(n_owned(), whole.topology.n_nodes());

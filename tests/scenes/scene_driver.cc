@@ -93,15 +93,6 @@ namespace
     return static_cast<std::int64_t>(simulation.topology().n_owned_cells());
   }
 
-  std::int64_t
-  n_owned_nodes(const Simulation &simulation)
-  {
-    std::int64_t n = 0;
-    for (NodeIndex node = 0; node < simulation.topology().n_nodes(); ++node)
-      n += simulation.topology().owns_node(node) ? 1 : 0;
-    return n;
-  }
-
   void
   print_results(const Simulation &simulation)
   {
@@ -131,7 +122,8 @@ main(int argc, char **argv)
       Log                log(nullptr);
       Simulation         simulation(parameters, log, communicator);
       const auto         n_cells = communicator.sum(n_owned_cells(simulation));
-      const auto         n_nodes = communicator.sum(n_owned_nodes(simulation));
+      const auto         n_nodes =
+        communicator.sum(simulation.topology().n_owned_nodes());
       simulation.run();
       if (communicator.is_root())
         {

@@ -138,6 +138,10 @@ namespace rift
       return is_complete(vertex) && owns_cell(*vertex_cells_first(vertex));
     }
 
+    /** Number of nodes that this rank owns now. */
+    std::size_t
+    n_owned_nodes() const;
+
     /** Whether this rank owns a face: the owner of its minus side does. */
     bool
     owns_face(const FaceIndex face) const
