@@ -74,7 +74,7 @@ namespace rift
       std::vector<unsigned int> counts, owners(n_cells);
       for (const double weight : weights)
         counts.push_back(1 +
-                         static_cast<unsigned int>(1000 * weight / largest));
+                         static_cast<unsigned int>(unit * weight / largest));
       dealii::SparsityTools::partition(graph, counts, n_ranks, owners);
       return {owners.begin(), owners.end()};
     }
