@@ -1,3 +1,4 @@
+#include <rift/base/exceptions.h>
 #include <rift/io/log.h>
 
 #include <unistd.h>
@@ -50,10 +51,26 @@ namespace rift
         status("");
         *terminal << line << '\n' << std::flush;
       }
-    if (file)
-      file->write(line + '\n');
-    else
-      earlier_lines += line + '\n';
+    if (!file)
+      {
+        earlier_lines += line + '\n';
+        return;
+      }
+    try
+      {
+        file->write(line + '\n');
+      }
+    catch (const DiskError &error)
+      {
+        failure = error.what();
+      }
+  }
+
+  void
+  Log::check() const
+  {
+    if (has_failed())
+      throw DiskError(failure);
   }
 
   void

@@ -68,7 +68,10 @@ TEST(Log, FullDisk)
 {
   Log log(nullptr);
   log.open("/dev/full");
-  EXPECT_EQ(message_of<DiskError>([&] { log.write("x"); }),
+  log.check();
+  log.write("x");
+  EXPECT_TRUE(log.has_failed());
+  EXPECT_EQ(message_of<DiskError>([&] { log.check(); }),
             "Cannot write /dev/full: No space left on device. Make room on "
             "this disk, or write to another one.");
 }

@@ -40,12 +40,22 @@ namespace rift
 
     /**
      * Writes a line; `line` may itself hold several, and needs no line end.
-     * It is in the file when the call returns.
-     *
-     * @throws DiskError if the file cannot be written.
+     * It is in the file when the call returns, or the log has_failed():
+     * nothing is thrown here, where the other ranks would not learn of it.
      */
     void
     write(const std::string &line);
+
+    /** Whether a line could not be written to the file. */
+    bool
+    has_failed() const
+    {
+      return !failure.empty();
+    }
+
+    /** @throws DiskError if the log has failed. */
+    void
+    check() const;
 
     /**
      * Shows `text` in the last line of an interactive terminal, until the
@@ -64,7 +74,7 @@ namespace rift
     std::ostream *const         terminal;
     const bool                  interactive;
     bool                        status_is_shown = false;
-    std::string                 earlier_lines;
+    std::string                 earlier_lines, failure;
     std::unique_ptr<OutputFile> file;
   };
 
