@@ -41,18 +41,25 @@ namespace rift
       return laws;
     }
 
-    /** The rank of each cell; on rank 0. */
+    /** The rank of each cell; on rank 0, which has the mesh. Collective. */
     std::vector<int>
-    divide(const Parameters &parameters,
-           const MeshData   &mesh,
-           const int         n_ranks,
-           const Restart    *restart)
+    divide(const Parameters   &parameters,
+           const MeshData     &mesh,
+           const Communicator &communicator,
+           const Restart      *restart)
     {
-      std::vector<double> costs;
-      if (restart != nullptr)
-        costs =
-          cell_costs(restart->state, mesh.cells.size(), restart->face_cost);
-      return partition_cells(mesh, n_ranks, parameters.mesh.partition, costs);
+      std::vector<int> ranks;
+      communicator.on_root([&] {
+        std::vector<double> costs;
+        if (restart != nullptr)
+          costs =
+            cell_costs(restart->state, mesh.cells.size(), restart->face_cost);
+        ranks = partition_cells(mesh,
+                                communicator.size(),
+                                parameters.mesh.partition,
+                                costs);
+      });
+      return ranks;
     }
   } // namespace
 
@@ -66,7 +73,7 @@ namespace rift
                                 make_mesh(parameters, communicator))
     , body(make_body(parameters,
                      mesh,
-                     divide(parameters, mesh, communicator.size(), restart),
+                     divide(parameters, mesh, communicator, restart),
                      communicator,
                      log))
     , densities(densities_of(body.materials))
@@ -165,9 +172,10 @@ namespace rift
                                   body.communicator);
 
     const TimeParameters &time = parameters.time;
-    dt                         = restart != nullptr ? restart->time_step :
-                                 time.time_step > 0 ? time.time_step :
+    dt                         = time.time_step > 0 ? time.time_step :
                                                       time.safety_factor * critical.time_step;
+    if (restart != nullptr)
+      dt = restart->time_step;
     // A little tolerance, so that rounding does not add a step.
     const double n_steps = std::ceil(time.end_time / dt * (1 - 1e-12));
     if (!(dt > 0 && n_steps <= largest_number_of_steps))
@@ -180,11 +188,12 @@ namespace rift
     last_step = static_cast<std::uint64_t>(n_steps);
     if (time.time_step == 0 && restart == nullptr)
       dt = time.end_time / last_step;
-    if (restart != nullptr && restart->manifest.step >= last_step)
+    // At the last step the results of the end may still be missing.
+    if (restart != nullptr && restart->manifest.step > last_step)
       throw InputError(
         "the checkpoint is at t = " + to_text(restart->manifest.time) +
-        " s, where the run ends. Raise \"End time\" in "
-        "subsection Time to go on.");
+        " s, after the end time of " + to_text(time.end_time) +
+        " s. Raise \"End time\" in subsection Time to go on.");
     log.write("Time step " + short_text(dt) + " s, " +
               short_text(dt / critical.time_step) + " times the bound set by " +
               critical.limited_by + "; " + std::to_string(last_step) +

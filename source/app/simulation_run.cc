@@ -37,22 +37,22 @@ namespace rift
   } // namespace
 
   Simulation::End
-  Simulation::run()
+  Simulation::run(const StopSignals *signals)
   {
     if (saved_results)
       results.reopen(parameters, *saved_results, log);
     else
       results.open(parameters, log);
-    FlushDenormals    flush_denormals;
-    const StopSignals signals;
-    stop_signals    = &signals;
+    FlushDenormals flush_denormals;
+    stop_signals    = signals;
     last_checkpoint = std::chrono::steady_clock::now();
 
-    const auto        n_cells = body.communicator.sum(
+    const auto n_cells = body.communicator.sum(
       static_cast<std::int64_t>(topology().n_owned_cells()));
     Progress progress(log, n_cells, state().time, parameters.time.end_time);
     timer.stop("setup");
     const double wall_start = timer.total();
+    busy_before             = wall_start;
     while (state().step < last_step)
       {
         step();
@@ -63,7 +63,7 @@ namespace rift
         if (must_stop)
           stop();
         is_checkpoint_due = false;
-        if (is_unbalanced())
+        if (state().step < last_step && is_unbalanced())
           return End::divide_anew;
       }
     step();
@@ -86,8 +86,8 @@ namespace rift
   Simulation::finish(const double cell_steps_per_second)
   {
     Summary summary;
-    summary.time_step_limited_by = critical.limited_by;
-    summary.wall_seconds         = timer.total();
+    summary.time_step_limited_by  = critical.limited_by;
+    summary.wall_seconds          = timer.total();
     summary.cell_steps_per_second = cell_steps_per_second;
     summary.wall_seconds_by_stage = timer.seconds();
     FaceCounts faces;
@@ -107,6 +107,7 @@ namespace rift
                 " opened faces need more than their fracture energy: the "
                 "elements are too large for these strengths and fracture "
                 "energies (doc/theory.md, section 4)");
+    body.communicator.on_root([this] { log.check(); });
   }
 
   void
@@ -265,14 +266,14 @@ namespace rift
     };
     const auto                now = std::chrono::steady_clock::now();
     std::vector<std::int64_t> numbers(n_numbers, 0);
-    numbers[failed] = failure ? 1 : 0;
+    numbers[failed] = failure || log.has_failed() ? 1 : 0;
     numbers[signalled] =
       stop_signals != nullptr && stop_signals->requested() ? 1 : 0;
     if (body.communicator.is_root())
       {
         const double minutes =
           std::chrono::duration<double>(now - last_checkpoint).count() / 60;
-        const double interval       = parameters.checkpoint.interval_in_minutes;
+        const double interval   = parameters.checkpoint.interval_in_minutes;
         numbers[checkpoint_due] = interval > 0 && minutes >= interval ? 1 : 0;
         const double seconds =
           std::chrono::duration<double>(now - last_agreement).count();
@@ -295,6 +296,7 @@ namespace rift
   void
   Simulation::stop_failed() const
   {
+    body.communicator.on_root([this] { log.check(); });
     // The first failure counts; several ranks may have seen it.
     std::string own;
     if (failure)
@@ -328,9 +330,22 @@ namespace rift
     std::optional<Restart> restart;
     if (is_restart)
       restart = read_restart(parameters, communicator, log);
-    while (Simulation(parameters, log, communicator, restart ? &*restart : nullptr)
-             .run() == Simulation::End::divide_anew)
+    std::optional<StopSignals> signals;
+    while (true)
       {
+        {
+          Simulation simulation(parameters,
+                                log,
+                                communicator,
+                                restart ? &*restart : nullptr);
+          restart.reset();
+          // Not before there is something to save. From then on no signal may
+          // be lost, not even while the cells are divided anew.
+          if (!signals)
+            signals.emplace();
+          if (simulation.run(&*signals) == Simulation::End::done)
+            return;
+        }
         log.write("The ranks have unequal work: the cells are divided anew");
         restart = read_restart(parameters, communicator, log);
       }

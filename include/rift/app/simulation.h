@@ -55,10 +55,11 @@ namespace rift
      * Opens the output directory, computes all steps, writes the results and,
      * when due, checkpoints.
      *
+     * @param signals that stop the run; null: none do.
      * @throws Error with ExitCode::stopped_by_signal, after a checkpoint.
      */
     End
-    run();
+    run(const StopSignals *signals = nullptr);
 
     /** Writes a checkpoint of the state between two steps. Collective. */
     void
