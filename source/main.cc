@@ -6,6 +6,7 @@
 #include <rift/app/run.h>
 #include <rift/base/exceptions.h>
 
+#include <csignal>
 #include <iostream>
 #include <new>
 
@@ -67,6 +68,8 @@ namespace
 int
 main(int argc, char **argv)
 {
+  // A file beyond the limit on its size is to be an error with a message.
+  std::signal(SIGXFSZ, SIG_IGN);
   // One thread: ranks are rift's only kind of parallelism.
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 

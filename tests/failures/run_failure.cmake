@@ -20,7 +20,8 @@ if(EXISTS ${CASES}/${NAME}.args)
   file(STRINGS ${CASES}/${NAME}.args arguments)
 endif()
 if(EXISTS ${CASES}/${NAME}.sh)
-  execute_process(COMMAND bash ${NAME}.sh WORKING_DIRECTORY ${FOLDER}
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env RIFT=${RIFT} bash ${NAME}.sh
+    WORKING_DIRECTORY ${FOLDER}
     RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT code EQUAL 0)
     message(FATAL_ERROR "${NAME}.sh failed:\n${output}")
@@ -30,11 +31,10 @@ endif()
 file(READ ${CASES}/${NAME}.error expected)
 set(command ${RIFT})
 if(EXISTS ${CASES}/${NAME}.limit)
-  # Writing fails beyond the limit instead of ending the program by a signal.
   # MPI is told to make no files of its own for shared memory.
   file(STRINGS ${CASES}/${NAME}.limit limit)
   set(command ${CMAKE_COMMAND} -E env PMIX_MCA_gds=hash OMPI_MCA_btl=self
-    bash -c "trap '' XFSZ && ulimit -f ${limit} && exec \"$@\"" limited
+    bash -c "ulimit -f ${limit} && exec \"$@\"" limited
     ${RIFT})
 endif()
 execute_process(COMMAND ${command} ${arguments} WORKING_DIRECTORY ${FOLDER}
