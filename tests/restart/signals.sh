@@ -1,0 +1,27 @@
+# Stops runs by signals to the ranks and goes on.
+#
+#   bash signals.sh RIFT RANKS
+. "$(dirname "$0")/common.sh"
+arguments=("$here/bar.prm" --set "Time/End time=200e-6")
+
+expect 0 1 "${arguments[@]}" --output whole
+for signal in TERM USR1; do
+  start "$ranks" "${arguments[@]}" --output $signal
+  until [ -s $signal/log.txt ]; do
+    sleep .01
+    kill -0 "$job" 2>/dev/null || fail "the run has ended: $(cat said)"
+  done
+  # shellcheck disable=SC2046
+  kill -$signal $(processes_of_job "$ranks")
+  wait "$job"
+  code=$?
+  [ $code = 4 ] || fail "after SIG$signal the code is $code: $(cat said)"
+  says "rift: error: stopped by a signal at step [0-9]*, t = [0-9.e-]* s. Go on \
+with --restart." said
+  step=$(sed -n "s/.*stopped by a signal at step \([0-9]*\),.*/\1/p" said)
+  [ "$(ls $signal/checkpoint)" = "$step"$'\n'mesh ] ||
+    fail "no checkpoint of step $step: $(ls $signal/checkpoint)"
+  expect 0 "$ranks" "${arguments[@]}" --output $signal --restart
+  says "Going on from $signal/checkpoint/$step" $signal/log.txt
+  same_results whole $signal
+done
