@@ -6,29 +6,27 @@
 
 #include <algorithm>
 #include <map>
+#include <unordered_map>
 
 namespace rift
 {
   namespace
   {
-    /** Sums over the cells of a fragment, by its label. */
-    template <std::size_t n>
-    using FragmentSums = std::map<GlobalCellIndex, std::array<double, n>>;
-
-    /** What one rank adds to a fragment; `Number` is double for a fragment
-     * that it has to itself. */
+    /** Sums over the cells of a fragment, or over those of a rank. */
     template <typename Number, std::size_t n>
-    struct Contribution
+    struct FragmentSums
     {
       GlobalCellIndex       label;
       std::array<Number, n> sums;
     };
 
+    /** What one rank knows: fragments that it has to itself, and its parts of
+     * the others. */
     template <std::size_t n>
     struct Contributions
     {
-      std::vector<Contribution<double, n>>           whole;
-      std::vector<Contribution<ExactSum::Digits, n>> divided;
+      std::vector<FragmentSums<double, n>>           whole;
+      std::vector<FragmentSums<ExactSum::Digits, n>> divided;
     };
 
     /** The cells of this rank, those of a fragment after each other. */
@@ -78,17 +76,24 @@ namespace rift
       return result;
     }
 
-    /** The sums over all ranks, on rank 0. Collective. */
+    /**
+     * The sums over all ranks, by mass, the largest first, and then by label;
+     * on rank 0. Collective.
+     *
+     * @param mass index of the mass among the sums.
+     */
     template <std::size_t n>
-    FragmentSums<n>
-    collect(const Contributions<n> &own, const Communicator &communicator)
+    std::vector<FragmentSums<double, n>>
+    collect(const Contributions<n> &own,
+            const std::size_t       mass,
+            const Communicator     &communicator)
     {
-      FragmentSums<n> result;
+      std::vector<FragmentSums<double, n>> result;
       communicator.gather_in_turn(
         to_bytes(own.whole),
         [&](const std::string &bytes) {
-          for (const auto &part : from_bytes<Contribution<double, n>>(bytes))
-            result[part.label] = part.sums;
+          const auto more = from_bytes<FragmentSums<double, n>>(bytes);
+          result.insert(result.end(), more.begin(), more.end());
         });
 
       std::map<GlobalCellIndex, std::array<ExactSum, n>> divided;
@@ -96,28 +101,22 @@ namespace rift
         to_bytes(own.divided),
         [&](const std::string &bytes) {
           for (const auto &part :
-               from_bytes<Contribution<ExactSum::Digits, n>>(bytes))
+               from_bytes<FragmentSums<ExactSum::Digits, n>>(bytes))
             for (std::size_t i = 0; i < n; ++i)
               divided[part.label][i].add(ExactSum::from_digits(part.sums[i]));
         });
       for (const auto &[label, sums] : divided)
-        for (std::size_t i = 0; i < n; ++i)
-          result[label][i] = sums[i].value();
-      return result;
-    }
+        {
+          result.push_back({label, {}});
+          for (std::size_t i = 0; i < n; ++i)
+            result.back().sums[i] = sums[i].value();
+        }
 
-    /** The labels by mass, which is at `mass_index` of the sums. */
-    template <std::size_t n>
-    std::vector<GlobalCellIndex>
-    order_by_mass(const FragmentSums<n> &sums, const std::size_t mass_index)
-    {
-      std::vector<GlobalCellIndex> labels;
-      for (const auto &fragment : sums)
-        labels.push_back(fragment.first);
-      std::stable_sort(labels.begin(), labels.end(), [&](auto a, auto b) {
-        return sums.at(a)[mass_index] > sums.at(b)[mass_index];
+      std::sort(result.begin(), result.end(), [mass](auto &a, auto &b) {
+        return std::make_pair(-a.sums[mass], a.label) <
+               std::make_pair(-b.sums[mass], b.label);
       });
-      return labels;
+      return result;
     }
 
     double
@@ -138,11 +137,14 @@ namespace rift
       return std::array<double, 1>{
         {densities[topology.material(cell)] * volume_of(reference, cell)}};
     };
-    std::string bytes = to_bytes(
-      order_by_mass(collect(contributions<1>(labels, mass), communicator), 0));
+    std::vector<GlobalCellIndex> in_order;
+    for (const auto &fragment :
+         collect(contributions<1>(labels, mass), 0, communicator))
+      in_order.push_back(fragment.label);
+    std::string bytes = to_bytes(in_order);
     communicator.broadcast(bytes);
 
-    std::map<GlobalCellIndex, std::uint32_t> numbers;
+    std::unordered_map<GlobalCellIndex, std::uint32_t> numbers;
     for (const GlobalCellIndex label : from_bytes<GlobalCellIndex>(bytes))
       numbers.emplace(label, numbers.size());
     std::vector<std::uint32_t> result;
@@ -183,13 +185,12 @@ namespace rift
                                     momentum[1],
                                     momentum[2]}};
     };
-    const auto sums =
-      collect(contributions<9>(label_fragments(topology, communicator), terms),
-              communicator);
+    const FragmentLabels  labels = label_fragments(topology, communicator);
     std::vector<Fragment> list;
-    for (const GlobalCellIndex label : order_by_mass(sums, 2))
+    for (const auto &fragment :
+         collect(contributions<9>(labels, terms), 2, communicator))
       {
-        const auto &s = sums.at(label);
+        const auto &s = fragment.sums;
         list.push_back({static_cast<std::size_t>(s[0]),
                         s[1],
                         s[2],

@@ -1,7 +1,7 @@
-# Kills all ranks at random moments and goes on, until the run is done; as often
-# as asked for.
+# Kills all ranks at random moments, as often as asked for. A run that has been
+# killed is gone on with; one that is done is looked at, and another begins.
 #
-#   bash kill.sh RIFT RANKS REPETITIONS
+#   bash kill.sh RIFT RANKS KILLS
 . "$(dirname "$0")/common.sh"
 arguments=("$here/bar.prm" --output run
   --set "Checkpoint/Interval in steps=20")
@@ -12,40 +12,42 @@ milliseconds=$((($(date +%s%N) - launch_time) / 1000000))
 rm -rf whole
 mv run whole
 n_kills=0
+n_runs=0
 n_unfinished=0
 
-# Starts the run or goes on with it and kills it, perhaps; $code is how it ended.
+# Starts the run, or goes on with it when there is a checkpoint. It is killed
+# before long, but for the last time.
 attempt() {
-  local mode
+  local mode=--set=Output/Overwrite=true delay
   if compgen -G "run/checkpoint/*[0-9]" >/dev/null; then
     mode=--restart
-  else
-    mode=--set=Output/Overwrite=true
   fi
   start "$ranks" "${arguments[@]}" $mode
-  local delay=$((RANDOM * milliseconds / 32768 + 1))
-  sleep $((delay / 1000)).$(printf %03d $((delay % 1000)))
-  # shellcheck disable=SC2046
-  kill -KILL $(processes_of_job "$ranks") 2>/dev/null
+  if [ $n_kills -lt "$repetitions" ]; then
+    delay=$((RANDOM * milliseconds / 32768 + 1))
+    sleep $((delay / 1000)).$(printf %03d $((delay % 1000)))
+    # shellcheck disable=SC2046
+    kill -KILL $(processes_of_job "$ranks") 2>/dev/null
+  fi
   wait "$job" 2>/dev/null
   code=$?
 }
 
-for i in $(seq "$repetitions"); do
-  rm -rf run
-  code=137
-  for attempts in $(seq 200); do
-    attempt
-    [ $code = 0 ] && break
-    [ $code = 137 ] || fail "in run $i, attempt $attempts, rift ended with
-      $code: $(cat said)"
+code=137
+while [ $n_kills -lt "$repetitions" ] || [ $code = 137 ]; do
+  attempt
+  if [ $code = 137 ]; then
     n_kills=$((n_kills + 1))
     ls run/checkpoint/*.tmp >/dev/null 2>&1 && n_unfinished=$((n_unfinished + 1))
-  done
-  [ $code = 0 ] || fail "run $i was killed 200 times"
+    continue
+  fi
+  [ $code = 0 ] ||
+    fail "after $n_kills kills rift ended with $code: $(cat said)"
   same_results whole run
   ! grep "WARNING.*checkpoint" run/log.txt ||
-    fail "run $i: a killed run has left a damaged checkpoint"
+    fail "a killed run has left a damaged checkpoint"
+  n_runs=$((n_runs + 1))
+  rm -r run
 done
-echo "$repetitions runs on $ranks ranks, killed $n_kills times, $n_unfinished" \
-  "of them while a checkpoint was written"
+echo "$n_runs runs on $ranks ranks, killed $n_kills times, $n_unfinished of" \
+  "them while a checkpoint was written"
