@@ -23,8 +23,14 @@ attempt() {
     mode=--restart
   fi
   start "$ranks" "${arguments[@]}" $mode
+  # mpirun may end this script as well when a rank is killed that has not left
+  # its process group yet: all are there, and a moment is over.
+  until [ "$(processes_of_job "$ranks" | wc -w)" = "$ranks" ] ||
+    ! kill -0 "$job" 2>/dev/null; do
+    sleep .01
+  done
   if [ $n_kills -lt "$repetitions" ]; then
-    delay=$((RANDOM * milliseconds / 32768 + 1))
+    delay=$((RANDOM * milliseconds / 32768 + 50))
     sleep $((delay / 1000)).$(printf %03d $((delay % 1000)))
     # shellcheck disable=SC2046
     kill -KILL $(processes_of_job "$ranks") 2>/dev/null
