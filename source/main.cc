@@ -80,7 +80,8 @@ namespace
     const int  code   = static_cast<int>(exit_code);
     const bool failed = all_have_failed(communicator);
     if (!failed || dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-      std::cerr << "rift: error: " << message << std::endl;
+      // In one piece, since mpirun mixes the pieces of both outputs.
+      std::cerr << "rift: error: " + message + "\n";
     if (!failed)
       MPI_Abort(communicator, code);
     return code;
