@@ -3,15 +3,20 @@
 #include <rift/base/parameter_text.h>
 
 #include <algorithm>
-#include <map>
 #include <sstream>
 
 namespace rift
 {
   namespace
   {
-    // Subsections and name, joined by `/`, with the value.
-    using Entries = std::vector<std::pair<std::string, std::string>>;
+    /** An entry of a .prm; its path is the subsections and the name, joined by
+     * `/`. */
+    struct Entry
+    {
+      std::string path, section, value;
+    };
+
+    using Entries = std::vector<Entry>;
 
     Entries
     entries_of(const std::string &text)
@@ -30,11 +35,13 @@ namespace rift
           else if (line.compare(0, 4, "set ") == 0 &&
                    equals != std::string::npos)
             {
-              std::string path;
-              for (const std::string &section : sections)
-                path += section + "/";
-              path += trim(line.substr(4, equals - 4));
-              result.emplace_back(path, trim(line.substr(equals + 1)));
+              std::string section;
+              for (const std::string &one : sections)
+                section += one + "/";
+              result.push_back(
+                {section + std::string(trim(line.substr(4, equals - 4))),
+                 section,
+                 std::string(trim(line.substr(equals + 1)))});
             }
         }
       return result;
@@ -48,6 +55,33 @@ namespace rift
       for (const char c : path)
         result += c == '/' ? std::string(" / ") : std::string(1, c);
       return result;
+    }
+
+    /** The entry of this path; null if there is none. */
+    const Entry *
+    find(const Entries &entries, const std::string &path)
+    {
+      const auto entry =
+        std::find_if(entries.begin(), entries.end(), [&](const Entry &e) {
+          return e.path == path;
+        });
+      return entry == entries.end() ? nullptr : &*entry;
+    }
+
+    bool
+    has_section(const Entries &entries, const std::string &section)
+    {
+      return section.empty() ||
+             std::any_of(entries.begin(), entries.end(), [&](const Entry &e) {
+               return e.section == section;
+             });
+    }
+
+    std::string
+    section_text(const Entry &entry)
+    {
+      return "The subsection \"" +
+             spaced(entry.section.substr(0, entry.section.size() - 1)) + "\"";
     }
 
     bool
@@ -66,27 +100,37 @@ namespace rift
                         const std::vector<std::string> &may_differ)
   {
     const Entries ours = entries_of(here), theirs = entries_of(in_checkpoint);
-    const std::map<std::string, std::string> our_values(ours.begin(),
-                                                        ours.end()),
-      their_values(theirs.begin(), theirs.end());
 
     std::vector<std::string> result;
-    for (const auto &[path, value] : ours)
+    const auto               add = [&](const std::string &sentence) {
+      // Of a subsection that is missing each entry says the same.
+      if (std::find(result.begin(), result.end(), sentence) == result.end())
+        result.push_back(sentence);
+    };
+    for (const Entry &entry : ours)
       {
-        const auto other = their_values.find(path);
-        if (is_listed(path, may_differ))
+        const Entry *other = find(theirs, entry.path);
+        if (is_listed(entry.path, may_differ))
           continue;
-        if (other == their_values.end())
-          result.push_back(spaced(path) + " is " + value +
-                           " here and not set in the checkpoint");
-        else if (other->second != value)
-          result.push_back(spaced(path) + " is " + value + " here and " +
-                           other->second + " in the checkpoint");
+        if (!has_section(theirs, entry.section))
+          add(section_text(entry) + " is here, but not in the checkpoint");
+        else if (other == nullptr)
+          add(spaced(entry.path) + " is " + entry.value +
+              " here and not set in the checkpoint");
+        else if (other->value != entry.value)
+          add(spaced(entry.path) + " is " + entry.value + " here and " +
+              other->value + " in the checkpoint");
       }
-    for (const auto &[path, value] : theirs)
-      if (our_values.count(path) == 0 && !is_listed(path, may_differ))
-        result.push_back(spaced(path) + " is not set here and " + value +
-                         " in the checkpoint");
+    for (const Entry &entry : theirs)
+      {
+        if (is_listed(entry.path, may_differ))
+          continue;
+        if (!has_section(ours, entry.section))
+          add(section_text(entry) + " is not here, but in the checkpoint");
+        else if (find(ours, entry.path) == nullptr)
+          add(spaced(entry.path) + " is not set here and " + entry.value +
+              " in the checkpoint");
+      }
     return result;
   }
 } // namespace rift

@@ -63,6 +63,28 @@ TEST(ParameterDifferences, EntriesThatOnlyOneHas)
                   "checkpoint"});
 }
 
+TEST(ParameterDifferences, SubsectionsThatOnlyOneHas)
+{
+  const std::string probe = "subsection Probe end\n  set Field = velocity x\n"
+                            "  set Boundary = x_max\nend\n";
+  EXPECT_EQ(parameter_differences(scene + probe, scene, {}),
+            Lines{"The subsection \"Probe end\" is here, but not in the "
+                  "checkpoint"});
+  EXPECT_EQ(parameter_differences(scene, scene + probe, {}),
+            Lines{"The subsection \"Probe end\" is not here, but in the "
+                  "checkpoint"});
+  // A name that begins in the same way is another subsection.
+  EXPECT_EQ(parameter_differences(replaced(scene, "Material rock", "Material"),
+                                  scene,
+                                  {}),
+            (Lines{"The subsection \"Material\" is here, but not in the "
+                   "checkpoint",
+                   "The subsection \"Material rock\" is not here, but in the "
+                   "checkpoint"}));
+  EXPECT_EQ(parameter_differences(scene, scene + probe, {"Probe end"}),
+            Lines());
+}
+
 TEST(ParameterDifferences, SomeMayDiffer)
 {
   std::string other   = replaced(scene, "1e-3", "2e-3");
@@ -97,8 +119,12 @@ TEST(ParameterDifferences, NestedSubsections)
   const std::string nested = "subsection A\n  subsection B\n    set x = 1\n"
                              "  end\n  set y = 2\nend\nset z = 3\n";
   EXPECT_EQ(parameter_differences(nested, "", {"A/B"}),
-            (Lines{"A / y is 2 here and not set in the checkpoint",
+            (Lines{"The subsection \"A\" is here, but not in the checkpoint",
                    "z is 3 here and not set in the checkpoint"}));
-  EXPECT_EQ(parameter_differences(nested, "", {"A/y", "z"}),
-            Lines{"A / B / x is 1 here and not set in the checkpoint"});
+  EXPECT_EQ(
+    parameter_differences(nested, "", {"A/y", "z"}),
+    Lines{"The subsection \"A / B\" is here, but not in the checkpoint"});
+  EXPECT_EQ(
+    parameter_differences(nested, replaced(nested, "x = 1", "x = 4"), {}),
+    Lines{"A / B / x is 1 here and 4 in the checkpoint"});
 }

@@ -9,8 +9,9 @@ namespace rift
   /**
    * How the parameters of a scene differ from those of the checkpoint from
    * which it is to go on: a sentence for each entry, such as "Material rock /
-   * Density is 2641 here and 2700 in the checkpoint". The order of entries and
-   * subsections does not count.
+   * Density is 2641 here and 2700 in the checkpoint", and one for a subsection
+   * that only one of them has. The order of entries and subsections does not
+   * count.
    *
    * @param here, in_checkpoint texts of a .prm that used_parameters() has
    *   written: one line for each entry, without comments.
