@@ -1,9 +1,11 @@
 # Runs rift on a bad scene and compares exit code and error message exactly.
 #
-#   cmake -D RIFT=... -D CASES=... -D NAME=... -D FOLDER=... -P run_failure.cmake
+#   cmake -D RIFT=... -D MPIEXEC=... -D CASES=... -D NAME=... -D FOLDER=...
+#     -P run_failure.cmake
 #
-# RIFT is the program, CASES the folder of the cases, NAME the case, FOLDER a
-# folder to run in. See README.md beside this file for what belongs to a case.
+# RIFT is the program, MPIEXEC what starts it on several ranks, CASES the folder
+# of the cases, NAME the case, FOLDER a folder to run in. See README.md beside
+# this file for what belongs to a case.
 
 # The case's own copy of all files, so that messages show relative paths and a
 # case can leave something behind.
@@ -35,6 +37,13 @@ if(EXISTS ${CASES}/${NAME}.limit)
   file(STRINGS ${CASES}/${NAME}.limit limit)
   set(command ${CMAKE_COMMAND} -E env PMIX_MCA_gds=hash OMPI_MCA_btl=self
     bash -c "ulimit -f ${limit} && exec \"$@\"" limited
+    ${RIFT})
+endif()
+if(EXISTS ${CASES}/${NAME}.ranks)
+  # Quiet, so that only rift speaks.
+  file(STRINGS ${CASES}/${NAME}.ranks ranks)
+  set(command ${CMAKE_COMMAND} -E env OMPI_ALLOW_RUN_AS_ROOT=1
+    OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 ${MPIEXEC} -q -np ${ranks} --oversubscribe
     ${RIFT})
 endif()
 execute_process(COMMAND ${command} ${arguments} WORKING_DIRECTORY ${FOLDER}
