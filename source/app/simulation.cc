@@ -41,6 +41,15 @@ namespace rift
       return laws;
     }
 
+    std::vector<StiffnessMatrix>
+    stiffnesses_of(const std::vector<Elasticity> &laws)
+    {
+      std::vector<StiffnessMatrix> stiffnesses;
+      for (const Elasticity &law : laws)
+        stiffnesses.push_back(stiffness_matrix(law));
+      return stiffnesses;
+    }
+
     /** The rank of each cell; on rank 0, which has the mesh. Collective. */
     std::vector<int>
     divide(const Parameters   &parameters,
@@ -78,6 +87,7 @@ namespace rift
                      log))
     , densities(densities_of(body.materials))
     , laws(laws_of(body.materials))
+    , stiffnesses(stiffnesses_of(laws))
     , internal_force(body.discretization.topology,
                      body.discretization.reference,
                      laws)
@@ -102,31 +112,19 @@ namespace rift
 
     bool   moves_from_start = BodyForce::is_needed(parameters.body_force);
     double viscosity        = 0;
-    std::vector<double>          viscosities;
-    std::vector<StiffnessMatrix> stiffnesses;
-    for (std::size_t i = 0; i < body.materials.size(); ++i)
+    std::vector<double> viscosities;
+    for (const MaterialParameters &material : body.materials)
       {
-        const MaterialParameters &material = body.materials[i];
-        const Vector3<double>    &v        = material.initial_velocity;
+        const Vector3<double> &v = material.initial_velocity;
         moves_from_start |= dot(v, v) > 0;
         viscosity = std::max(viscosity, material.viscosity);
         viscosities.push_back(material.viscosity);
-        stiffnesses.push_back(stiffness_matrix(laws[i]));
       }
 
-    if (parameters.cohesive.model != CohesiveParameters::Model::none)
-      {
-        fracture.emplace(topology,
-                         reference,
-                         internal_force,
-                         body.materials,
-                         parameters.cohesive,
-                         stiffnesses,
-                         densities,
-                         critical.frequency_squared,
-                         body.communicator);
-        internal_force.watch(fracture->strengths.stress_bounds());
-      }
+    make_fracture();
+    std::vector<NodeSplit> splits;
+    if (parameters.cohesive.model == CohesiveParameters::Model::intrinsic)
+      splits = split_everywhere();
     if (viscosity > 0)
       {
         damping.emplace(topology, reference, viscosities);
@@ -148,8 +146,78 @@ namespace rift
       body_force.emplace(parameters.body_force);
     if (moves_from_start)
       activity.wake_all(topology);
-    exchange.send(topology, state, {}, {});
+    exchange.send(topology, state, splits, {});
     exchange.receive(topology, state, activity);
+    update_surfaces();
+    if (parameters.cohesive.model == CohesiveParameters::Model::intrinsic)
+      fracture->force.start_all(state);
+  }
+
+  void
+  Simulation::make_fracture()
+  {
+    using Model                                  = CohesiveParameters::Model;
+    const CohesiveParameters &cohesive           = parameters.cohesive;
+    auto &[topology, reference, state, exchange] = body.discretization;
+    if (cohesive.model == Model::none)
+      return;
+    const bool      is_extrinsic = cohesive.model == Model::extrinsic;
+    const FaceSlope slope =
+      is_extrinsic ? slopes_that_the_step_allows(topology,
+                                                 reference,
+                                                 stiffnesses,
+                                                 densities,
+                                                 critical.frequency_squared) :
+                     FaceSlope(penalty_slopes());
+    fracture.emplace(topology,
+                     reference,
+                     body.materials,
+                     cohesive,
+                     slope,
+                     body.communicator);
+    if (is_extrinsic)
+      {
+        fracture->insertion.emplace(topology,
+                                    reference,
+                                    internal_force,
+                                    fracture->strengths);
+        internal_force.watch(fracture->strengths.stress_bounds());
+      }
+  }
+
+  PenaltySlopes
+  Simulation::penalty_slopes() const
+  {
+    return PenaltySlopes(body.discretization.topology,
+                         body.discretization.reference,
+                         body.discretization.state,
+                         parameters.cohesive.penalty,
+                         body.materials,
+                         stiffnesses);
+  }
+
+  std::vector<NodeSplit>
+  Simulation::split_everywhere()
+  {
+    auto &[topology, reference, state, exchange] = body.discretization;
+    std::vector<FaceIndex> faces;
+    for (FaceIndex face = 0; face < topology.faces.size(); ++face)
+      if (fracture->strengths.is_breakable(face))
+        faces.push_back(face);
+    const TopologyChange change = split_nodes(topology, faces);
+    state.grow(change);
+    weigh(change);
+    activity = Activity(topology);
+    return change.splits;
+  }
+
+  void
+  Simulation::weigh(const TopologyChange &change)
+  {
+    auto &[topology, reference, state, exchange] = body.discretization;
+    for (const NodeSplit &split : change.splits)
+      for (const NodeIndex part : split.parts)
+        state.mass[part] = lumped_mass(topology, reference, densities, part);
   }
 
   void
@@ -159,17 +227,23 @@ namespace rift
     for (std::size_t i = 0; i < body.materials.size(); ++i)
       limits.push_back(
         {body.materials[i].name,
-         stiffness_matrix(laws[i]),
+         stiffnesses[i],
          densities[i],
          body.materials[i].viscosity,
-         parameters.cohesive.model != CohesiveParameters::Model::none &&
+         parameters.cohesive.model == CohesiveParameters::Model::extrinsic &&
              body.materials[i].breakable ?
            parameters.cohesive.stiffness_factor :
            0});
+    CohesiveFrequency penalty;
+    if (parameters.cohesive.model == CohesiveParameters::Model::intrinsic)
+      penalty = [slopes = penalty_slopes()](const CellIndex cell) {
+        return slopes.frequency_squared(cell);
+      };
     critical = critical_time_step(body.discretization.topology,
                                   body.discretization.reference,
                                   limits,
-                                  body.communicator);
+                                  body.communicator,
+                                  penalty);
 
     const TimeParameters &time = parameters.time;
     dt                         = time.time_step > 0 ? time.time_step :
@@ -219,7 +293,7 @@ namespace rift
     if (fracture && !internal_force.hot_cells().empty())
       {
         change = split_at(
-          fracture->insertion.find_faces(state, internal_force.hot_cells()));
+          fracture->insertion->find_faces(state, internal_force.hot_cells()));
         timer.stop("insertion");
       }
 
@@ -231,7 +305,7 @@ namespace rift
     // 3. Cohesive tractions
     if (fracture)
       {
-        fracture->force.add_to(state);
+        fracture->force.add_to(state, activity);
         timer.stop("cohesive forces");
       }
 
@@ -302,9 +376,7 @@ namespace rift
       return change;
 
     state.grow(change);
-    for (const NodeSplit &split : change.splits)
-      for (const NodeIndex part : split.parts)
-        state.mass[part] = lumped_mass(topology, reference, densities, part);
+    weigh(change);
     activity.grow(topology.n_nodes());
     fracture->force.apply(change);
     update_surfaces();

@@ -127,7 +127,7 @@ namespace rift
     sums.strain  = internal_force.strain_energy(state());
     if (fracture)
       {
-        const CohesiveEnergy cohesive = fracture->force.energy();
+        const CohesiveEnergy cohesive = fracture->force.energy(state());
         sums.cohesive                 = cohesive.recoverable;
         sums.fracture                 = cohesive.fracture;
         sums.friction                 = cohesive.friction;

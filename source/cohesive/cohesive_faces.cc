@@ -45,25 +45,25 @@ namespace rift
   } // namespace
 
   CohesivePoint<double>
-  get_point(const CohesiveBatch &batch,
-            const unsigned int   point,
-            const unsigned int   lane)
+  get_point(const CohesiveMemory &memory,
+            const unsigned int    point,
+            const unsigned int    lane)
   {
     CohesivePoint<double> result;
     for_each_field(
-      batch.points[point],
+      memory.points[point],
       result,
       [lane](const Simd &field, double &value) { value = field[lane]; });
     return result;
   }
 
   void
-  set_point(CohesiveBatch               &batch,
+  set_point(CohesiveMemory              &memory,
             const unsigned int           point,
             const unsigned int           lane,
             const CohesivePoint<double> &value)
   {
-    for_each_field(batch.points[point],
+    for_each_field(memory.points[point],
                    value,
                    [lane](Simd &field, const double v) { field[lane] = v; });
   }

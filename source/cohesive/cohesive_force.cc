@@ -2,48 +2,127 @@
 
 namespace rift
 {
-  CohesiveForce::CohesiveForce(Topology                    &topology,
-                               const ReferenceCellData     &reference,
-                               const FaceStrengths         &strengths,
-                               std::vector<StiffnessMatrix> stiffnesses,
-                               std::vector<double>          densities,
-                               const double                 frequency_limit)
+  CohesiveForce::AnyLaw
+  CohesiveForce::law_of(const CohesiveParameters::Model model)
+  {
+    if (model == CohesiveParameters::Model::intrinsic)
+      return MohrCoulomb<ParabolicBranch>();
+    return MohrCoulomb<StraightBranch>();
+  }
+
+  CohesiveForce::CohesiveForce(Topology                       &topology,
+                               const ReferenceCellData        &reference,
+                               const FaceStrengths            &strengths,
+                               const CohesiveParameters::Model model,
+                               FaceSlope                       slope)
     : topology(topology)
     , reference(reference)
     , strengths(strengths)
-    , stiffnesses(std::move(stiffnesses))
-    , densities(std::move(densities))
-    , frequency_limit(frequency_limit)
+    , slope(std::move(slope))
+    , law(law_of(model))
+    , part_of_fracture(
+        std::visit([](const auto &law) { return law.part_of_fracture; }, law))
     , index_of_face(topology.faces.size(), invalid_index)
   {
   }
 
   void
-  CohesiveForce::add_to(State &state)
+  CohesiveForce::add_to(State &state, const Activity &activity)
+  {
+    std::visit(
+      [&](const auto &the_law) { add_forces(the_law, state, activity); },
+      law);
+  }
+
+  template <typename Law>
+  void
+  CohesiveForce::add_forces(const Law      &the_law,
+                            State          &state,
+                            const Activity &activity)
   {
     for (std::size_t b = 0; b < cohesive_faces.batches.size(); ++b)
       {
-        CohesiveBatch       &batch = cohesive_faces.batches[b];
+        const CohesiveBatch &batch = cohesive_faces.batches[b];
+        if (batch.memory == invalid_index && is_at_rest(b, activity))
+          continue;
         const FaceKinematics kinematics(batch, state);
-
-        Simd largest_softening{};
-        for (unsigned int q = 0; q < n_face_points; ++q)
+        FaceTractions        tractions;
+        bool                 yields = false;
+        if (batch.memory == invalid_index)
           {
-            CohesivePoint<Simd> &point = batch.points[q];
-            const auto           dissipation =
-              law.update(point,
+            tractions = intact_tractions<Law>(batch, kinematics, yields);
+            if (yields)
+              make_memory(b);
+          }
+        if (batch.memory != invalid_index)
+          tractions = update_memory(the_law, b, kinematics, state);
+        scatter(batch,
+                face_forces(batch.area, tractions, kinematics, quadrature),
+                state);
+      }
+  }
+
+  template <typename Law>
+  FaceTractions
+  CohesiveForce::intact_tractions(const CohesiveBatch  &batch,
+                                  const FaceKinematics &kinematics,
+                                  bool                 &yields) const
+  {
+    FaceTractions tractions;
+    SimdMask      any_yields{};
+    for (unsigned int q = 0; q < n_face_points; ++q)
+      {
+        SimdMask yields_here;
+        tractions[q] = Law::intact_traction(batch.constants,
+                                            batch.cohesion,
+                                            kinematics.jump_at(quadrature, q),
+                                            yields_here);
+        any_yields |= yields_here;
+      }
+    yields = any(any_yields);
+    return tractions;
+  }
+
+  template <typename Law>
+  FaceTractions
+  CohesiveForce::update_memory(const Law            &the_law,
+                               const std::size_t     b,
+                               const FaceKinematics &kinematics,
+                               const State          &state)
+  {
+    const CohesiveBatch &batch  = cohesive_faces.batches[b];
+    CohesiveMemory      &memory = cohesive_faces.memories[batch.memory];
+    FaceTractions        tractions;
+    Simd                 largest_softening{};
+    for (unsigned int q = 0; q < n_face_points; ++q)
+      {
+        CohesivePoint<Simd> &point = memory.points[q];
+        const auto           dissipation =
+          the_law.update(point,
                          batch.constants,
                          kinematics.jump_at(quadrature, q));
-            const Simd area = quadrature.weight[q] * batch.area;
-            batch.fracture += area * dissipation.fracture;
-            batch.friction += area * dissipation.friction;
-            largest_softening = max(largest_softening, point.softening);
-          }
-        if (any(largest_softening <= 0.))
-          note_failures(b, state.time);
-        release_distant_faces(b, kinematics, state.time);
-        scatter(batch, face_forces(batch, kinematics, quadrature), state);
+        const Simd area = quadrature.weight[q] * batch.area;
+        memory.fracture += area * dissipation.fracture;
+        memory.friction += area * dissipation.friction;
+        largest_softening = max(largest_softening, point.softening);
+        tractions[q]      = point.traction;
       }
+    if (any(largest_softening <= 0.))
+      note_failures(b, state.time);
+    release_distant_faces(b, kinematics, state);
+    return tractions;
+  }
+
+  bool
+  CohesiveForce::is_at_rest(const std::size_t b, const Activity &activity) const
+  {
+    const std::size_t end = b * batch_size + cohesive_faces.batches[b].n_faces;
+    for (std::size_t i = b * batch_size; i < end; ++i)
+      for (const CellIndex cell :
+           topology.faces[cohesive_faces.infos[i].face].cells)
+        if (activity.is_awake(cell / batch_size))
+          return false;
+    return true;
   }
 
   void
@@ -68,13 +147,14 @@ namespace rift
   void
   CohesiveForce::note_failures(const std::size_t b, const double time)
   {
-    const CohesiveBatch &batch = cohesive_faces.batches[b];
+    const CohesiveBatch  &batch  = cohesive_faces.batches[b];
+    const CohesiveMemory &memory = cohesive_faces.memories[batch.memory];
     for (unsigned int lane = 0; lane < batch.n_faces; ++lane)
       {
         CohesiveFaceInfo &info = cohesive_faces.infos[b * batch_size + lane];
         bool              has_failed = info.failure_time < 0;
         for (unsigned int q = 0; q < n_face_points && has_failed; ++q)
-          has_failed = batch.points[q].softening[lane] <= 0;
+          has_failed = memory.points[q].softening[lane] <= 0;
         if (has_failed)
           fail(info, time);
       }
@@ -83,7 +163,7 @@ namespace rift
   void
   CohesiveForce::release_distant_faces(const std::size_t     b,
                                        const FaceKinematics &kinematics,
-                                       const double          time)
+                                       const State          &state)
   {
     CohesiveBatch &batch = cohesive_faces.batches[b];
     Simd           largest{};
@@ -95,18 +175,14 @@ namespace rift
     if (!any(is_distant))
       return;
 
+    CohesiveMemory &memory  = cohesive_faces.memories[batch.memory];
+    const Simd      elastic = elastic_energy(state, batch);
     for (unsigned int lane = 0; lane < batch.n_faces; ++lane)
       if (is_distant[lane])
         {
-          for (unsigned int q = 0; q < n_face_points; ++q)
-            {
-              const auto t = get_point(batch, q, lane).traction;
-              batch.fracture[lane] += .5 * quadrature.weight[q] *
-                                      batch.area[lane] * dot(t, t) /
-                                      batch.constants.stiffness[lane];
-            }
+          memory.fracture[lane] += elastic[lane];
           batch.area[lane] = 0;
-          fail(cohesive_faces.infos[b * batch_size + lane], time);
+          fail(cohesive_faces.infos[b * batch_size + lane], state.time);
         }
   }
 
@@ -119,32 +195,69 @@ namespace rift
     topology.face_states[info.face] = FaceState::broken;
   }
 
+  template <typename Law>
+  Simd
+  CohesiveForce::elastic_energy(const State         &state,
+                                const CohesiveBatch &batch) const
+  {
+    FaceTractions tractions;
+    bool          yields;
+    if (batch.memory == invalid_index)
+      tractions =
+        intact_tractions<Law>(batch, FaceKinematics(batch, state), yields);
+    Simd energy{};
+    for (unsigned int q = 0; q < n_face_points; ++q)
+      {
+        CohesivePoint<Simd> point{};
+        if (batch.memory != invalid_index)
+          point = cohesive_faces.memories[batch.memory].points[q];
+        else
+          {
+            point.softening = broadcast(1);
+            point.cohesion  = batch.cohesion;
+            point.traction  = tractions[q];
+          }
+        energy += quadrature.weight[q] * batch.area *
+                  Law::elastic_energy(point, batch.constants);
+      }
+    return energy;
+  }
+
+  Simd
+  CohesiveForce::elastic_energy(const State         &state,
+                                const CohesiveBatch &batch) const
+  {
+    return std::visit(
+      [&](const auto &the_law) {
+        return elastic_energy<std::decay_t<decltype(the_law)>>(state, batch);
+      },
+      law);
+  }
+
   CohesiveEnergy
-  CohesiveForce::energy() const
+  CohesiveForce::energy(const State &state) const
   {
     CohesiveEnergy energy;
     for (std::size_t b = 0; b < cohesive_faces.batches.size(); ++b)
       {
-        const CohesiveBatch &batch = cohesive_faces.batches[b];
-        Simd                 elastic{};
-        for (unsigned int q = 0; q < n_face_points; ++q)
-          {
-            const Vector3<Simd> &t = batch.points[q].traction;
-            elastic += (.5 * quadrature.weight[q]) * batch.area * dot(t, t) /
-                       batch.constants.stiffness;
-          }
+        const CohesiveBatch &batch   = cohesive_faces.batches[b];
+        const Simd           elastic = elastic_energy(state, batch);
         for (unsigned int lane = 0; lane < batch.n_faces; ++lane)
           {
-            const auto &info = cohesive_faces.infos[b * batch_size + lane];
+            const std::size_t i    = b * batch_size + lane;
+            const auto       &info = cohesive_faces.infos[i];
             if (!topology.owns_face(info.face))
               continue;
             energy.recoverable.add(elastic[lane]);
-            energy.fracture.add(batch.fracture[lane]);
-            energy.friction.add(batch.friction[lane]);
+            const CohesiveMemory *memory = cohesive_faces.memory_of(i);
+            if (memory == nullptr)
+              continue;
+            energy.fracture.add(memory->fracture[lane]);
+            energy.friction.add(memory->friction[lane]);
             // What the elastic branch was given at the start belongs to the
             // recoverable energy until the face has failed.
             (info.failure_time >= 0 ? energy.fracture : energy.recoverable)
-              .add(-batch.initial[lane]);
+              .add(-memory->initial[lane]);
           }
       }
     return energy;
@@ -161,14 +274,15 @@ namespace rift
     for (std::size_t i = 0; i < cohesive_faces.size(); ++i)
       {
         const CohesiveFaceInfo &info = cohesive_faces.infos[i];
-        if (!topology.owns_face(info.face))
+        if (!topology.owns_face(info.face) || !has_opened(i))
           continue;
         const CohesiveBatch &batch = cohesive_faces.batches[i / batch_size];
         ++opened;
         if (info.failure_time >= 0)
           ++failed;
         if (is_separation_too_short(strengths.strength(info.face),
-                                    batch.constants.stiffness[i % batch_size]))
+                                    batch.constants.stiffness[i % batch_size],
+                                    part_of_fracture))
           ++too_short;
       }
     std::vector<std::int64_t> numbers = {inserted, opened, failed, too_short};
@@ -184,16 +298,48 @@ namespace rift
                              const std::size_t  index,
                              const unsigned int point) const
   {
-    const CohesiveBatch &batch = cohesive_faces.batches[index / batch_size];
-    const unsigned int   lane  = index % batch_size;
-    const auto  jump = FaceKinematics(batch, state).jump_at(quadrature, point);
-    const auto &traction = batch.points[point].traction;
-    PointState  result;
+    const CohesiveBatch  &batch = cohesive_faces.batches[index / batch_size];
+    const unsigned int    lane  = index % batch_size;
+    const FaceKinematics  kinematics(batch, state);
+    const auto            jump   = kinematics.jump_at(quadrature, point);
+    const CohesiveMemory *memory = cohesive_faces.memory_of(index);
+    Vector3<Simd>         traction;
+    if (memory != nullptr)
+      traction = memory->points[point].traction;
+    else
+      {
+        bool yields;
+        traction =
+          intact_tractions<MohrCoulomb<ParabolicBranch>>(batch,
+                                                         kinematics,
+                                                         yields)[point];
+      }
+    PointState result{};
     for (unsigned int d = 0; d < dim; ++d)
       {
         result.jump[d]     = jump[d][lane];
         result.traction[d] = traction[d][lane];
       }
+    if (memory != nullptr)
+      {
+        result.opening = memory->points[point].opening[lane];
+        result.slip    = memory->points[point].slip[lane];
+      }
     return result;
+  }
+
+  bool
+  CohesiveForce::has_opened(const std::size_t index) const
+  {
+    if (std::holds_alternative<MohrCoulomb<StraightBranch>>(law))
+      return true;
+    const CohesiveMemory *memory = cohesive_faces.memory_of(index);
+    if (memory == nullptr)
+      return false;
+    const unsigned int lane = index % batch_size;
+    for (const CohesivePoint<Simd> &point : memory->points)
+      if (point.opening[lane] > 0 || point.slip[lane] > 0)
+        return true;
+    return false;
   }
 } // namespace rift

@@ -1,14 +1,46 @@
 #include <deal.II/base/parameter_handler.h>
 
+#include <rift/base/number_text.h>
 #include <rift/base/parameter_declarations.h>
 #include <rift/cohesive/cohesive_parameters.h>
+
+#include <cmath>
 
 namespace rift
 {
   namespace
   {
     const char *const section = "Fracture";
-  }
+
+    CohesiveParameters::Model
+    read_model(const std::string &name)
+    {
+      if (name == "extrinsic")
+        return CohesiveParameters::Model::extrinsic;
+      if (name == "intrinsic")
+        return CohesiveParameters::Model::intrinsic;
+      return CohesiveParameters::Model::none;
+    }
+
+    /** "10 E" or a number in Pa. */
+    Penalty
+    read_penalty(const std::string &text)
+    {
+      std::string_view number = trim(text);
+      Penalty          penalty{0, false};
+      if (!number.empty() && number.back() == 'E')
+        {
+          penalty.is_multiple = true;
+          number.remove_suffix(1);
+        }
+      if (!from_text(number, penalty.value))
+        throw ParameterError(section,
+                             "Cohesive penalty",
+                             "this must be a multiple of Young's modulus, as "
+                             "in \"10 E\", or a number in Pa.");
+      return penalty;
+    }
+  } // namespace
 
   void
   CohesiveParameters::declare(dealii::ParameterHandler &prm)
@@ -18,11 +50,14 @@ namespace rift
     prm.enter_subsection(section);
     prm.declare_entry("Cohesive model",
                       "none",
-                      Patterns::Selection("none|extrinsic"),
+                      Patterns::Selection("none|extrinsic|intrinsic"),
                       "none: nothing breaks, strengths and fracture energies "
                       "of the materials are not used. extrinsic: cohesive "
                       "elements are inserted where the stress on a face "
-                      "reaches the strength.");
+                      "reaches the strength. intrinsic: all faces of "
+                      "breakable materials have a cohesive element from the "
+                      "start; it costs time and slows waves down, and is here "
+                      "to be compared with.");
     declare_number(prm,
                    "Stiffness factor",
                    defaults.stiffness_factor,
@@ -31,6 +66,16 @@ namespace rift
                    "cell may grow by three times this factor. Elastic branches "
                    "and penalties against overlap are as stiff as that allows; "
                    "the time step falls with 1/sqrt(1 + 3 factor). Units: 1.");
+    prm.declare_entry("Cohesive penalty",
+                      to_text(defaults.penalty.value) + " E",
+                      Patterns::Anything(),
+                      "Stiffness of the cohesive elements of the intrinsic "
+                      "model before their strength is reached, over the "
+                      "shortest edge of each: a multiple of Young's modulus "
+                      "such as 10 E (of anisotropic materials that of the mean "
+                      "over all directions; between two materials the softer "
+                      "one counts), or a number in Pa. The time step falls "
+                      "with one over its root.");
     prm.declare_entry("Seed",
                       std::to_string(defaults.seed),
                       Patterns::Integer(0),
@@ -44,8 +89,8 @@ namespace rift
   {
     CohesiveParameters result;
     prm.enter_subsection(section);
-    result.model =
-      prm.get("Cohesive model") == "extrinsic" ? Model::extrinsic : Model::none;
+    result.model            = read_model(prm.get("Cohesive model"));
+    result.penalty          = read_penalty(prm.get("Cohesive penalty"));
     result.stiffness_factor = prm.get_double("Stiffness factor");
     result.seed = static_cast<unsigned int>(prm.get_integer("Seed"));
     prm.leave_subsection();
@@ -59,16 +104,26 @@ namespace rift
       throw ParameterError(section,
                            "Stiffness factor",
                            "this must be greater than zero.");
+    if (!(penalty.value > 0 && std::isfinite(penalty.value)))
+      throw ParameterError(section,
+                           "Cohesive penalty",
+                           "this must be greater than zero.");
   }
 
   std::vector<InertEntries>
   CohesiveParameters::inert_entries() const
   {
-    if (model != Model::none)
-      return {};
+    std::vector<std::string> names;
+    if (model != Model::extrinsic)
+      names.push_back("Stiffness factor");
+    if (model != Model::intrinsic)
+      names.push_back("Cohesive penalty");
+    if (model == Model::none)
+      names.push_back("Seed");
     return {{section,
-             {"Stiffness factor", "Seed"},
+             names,
              {{section, "Cohesive model"}},
-             "without a cohesive model"}};
+             model == Model::none ? "without a cohesive model" :
+                                    "with this cohesive model"}};
   }
 } // namespace rift

@@ -39,7 +39,8 @@ namespace rift
   }
 
   FaceForces
-  face_forces(const CohesiveBatch  &batch,
+  face_forces(const Simd           &area,
+              const FaceTractions  &tractions,
               const FaceKinematics &kinematics,
               const FaceQuadrature &quadrature)
   {
@@ -48,8 +49,8 @@ namespace rift
     Vector3<Simd>                moment{};
     for (unsigned int q = 0; q < n_face_points; ++q)
       {
-        const Simd          area = quadrature.weight[q] * batch.area;
-        const Vector3<Simd> t    = area * batch.points[q].traction;
+        const Simd          share = quadrature.weight[q] * area;
+        const Vector3<Simd> t     = share * tractions[q];
         moment += cross(t, kinematics.jump_at(quadrature, q));
         for (unsigned int c = 0; c < 3; ++c)
           for (unsigned int d = 0; d < dim; ++d)

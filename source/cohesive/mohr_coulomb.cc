@@ -6,46 +6,61 @@ namespace rift
 {
   namespace
   {
+    /** What a mode has when its separation is chosen. */
+    struct Mode
+    {
+      double strength, fracture_energy, traction, excess;
+    };
+
     /**
-     * One over the irreversible jump that spends the fracture energy, and what
-     * the elastic branch holds at the start, less what the excess spends; but
-     * not so short that the softening snaps back.
+     * One over the jump beyond the peak over which a mode softens, 1/m, such
+     * that the work from a traction on is the fracture energy: what the branch
+     * still takes to its peak and what the excess takes are part of that.
+     *
+     * @param softening share of the strength that is left.
      */
     double
-    inverse_separation(const double strength,
-                       const double fracture_energy,
-                       const double traction,
-                       const double excess,
-                       const double stiffness)
+    inverse_separation(const Mode  &mode,
+                       const double softening,
+                       const double stiffness,
+                       const double part_of_fracture)
     {
-      const double energy =
-        fracture_energy + .5 * traction * traction / stiffness -
-        .5 * excess * excess / (MohrCoulomb::excess_slope * stiffness);
-      const double shortest =
-        MohrCoulomb::shortest_separation * strength / stiffness;
-      return strength > 0 ?
-               1 /
-                 std::max(energy / (Softening::integral * strength), shortest) :
-               0;
+      if (mode.strength == 0)
+        return 0;
+      const double peak = softening * mode.strength;
+      const double rise =
+        part_of_fracture *
+        std::max(0., peak * peak - mode.traction * mode.traction) / stiffness;
+      const double of_excess =
+        .5 * mode.excess * mode.excess / (excess_slope * stiffness);
+      return 1 / std::max((mode.fracture_energy - rise - of_excess) /
+                            (Softening::integral * mode.strength),
+                          shortest_separation * mode.strength / stiffness);
     }
 
     void
     set_separations(CohesivePoint<double> &point,
                     const Vector3<double> &traction,
                     const FaceStrength    &strength,
-                    const double           stiffness)
+                    const double           stiffness,
+                    const double           part_of_fracture)
     {
-      point.inverse_opening = inverse_separation(strength.tensile_strength,
-                                                 strength.fracture_energy_1,
-                                                 std::max(traction[0], 0.),
-                                                 point.normal_excess,
-                                                 stiffness);
-      point.inverse_slip =
-        inverse_separation(point.cohesion,
-                           strength.fracture_energy_2,
-                           std::hypot(traction[1], traction[2]),
-                           point.shear_excess,
-                           stiffness);
+      const Mode opening    = {strength.tensile_strength,
+                               strength.fracture_energy_1,
+                               std::max(traction[0], 0.),
+                               point.normal_excess};
+      const Mode sliding    = {point.cohesion,
+                               strength.fracture_energy_2,
+                               std::hypot(traction[1], traction[2]),
+                               point.shear_excess};
+      point.inverse_opening = inverse_separation(opening,
+                                                 point.softening,
+                                                 stiffness,
+                                                 part_of_fracture);
+      point.inverse_slip    = inverse_separation(sliding,
+                                              point.softening,
+                                              stiffness,
+                                              part_of_fracture);
     }
   } // namespace
 
@@ -56,21 +71,25 @@ namespace rift
   }
 
   CohesivePoint<double>
-  make_cohesive_point(const FaceStrength &strength, const double stiffness)
+  make_cohesive_point(const FaceStrength &strength,
+                      const double        stiffness,
+                      const double        part_of_fracture)
   {
     CohesivePoint<double> point{};
     point.softening = 1;
     point.cohesion  = strength.cohesion;
-    set_separations(point, {{0, 0, 0}}, strength, stiffness);
+    set_separations(point, {{0, 0, 0}}, strength, stiffness, part_of_fracture);
     return point;
   }
 
   bool
-  is_separation_too_short(const FaceStrength &strength, const double stiffness)
+  is_separation_too_short(const FaceStrength &strength,
+                          const double        stiffness,
+                          const double        part_of_fracture)
   {
-    const auto is_too_short = [stiffness](const double of_strength,
-                                          const double energy) {
-      return Softening::integral * MohrCoulomb::shortest_separation *
+    const auto is_too_short = [=](const double of_strength,
+                                  const double energy) {
+      return (Softening::integral * shortest_separation + part_of_fracture) *
                of_strength * of_strength / stiffness >
              energy;
     };
@@ -104,7 +123,11 @@ namespace rift
     if (point.softening <= 0 && before[0] == 0)
       point.offset[0] = jump[0];
     point.offset -= (1 / stiffness) * more;
-    set_separations(point, t, strength, stiffness);
+    set_separations(point,
+                    t,
+                    strength,
+                    stiffness,
+                    StraightBranch::part_of_fracture);
     return .5 * (dot(t, t) - dot(before, before)) / stiffness;
   }
 } // namespace rift

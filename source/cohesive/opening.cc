@@ -1,9 +1,7 @@
 #include <rift/cohesive/cohesive_force.h>
 #include <rift/mesh/mesh_data.h>
-#include <rift/solid/cell_frequency.h>
 
 #include <algorithm>
-#include <limits>
 
 // How cohesive elements come to life: the half of CohesiveForce that follows
 // the changes of the topology.
@@ -106,63 +104,75 @@ namespace rift
   }
 
   void
+  CohesiveForce::start_all(const State &state)
+  {
+    for (FaceIndex face = 0; face < topology.faces.size(); ++face)
+      if (topology.face_states[face] != FaceState::intact &&
+          topology.needs_face(face))
+        activate(face, state);
+    for (CohesiveFaceInfo &info : cohesive_faces.infos)
+      info.start_time = 0;
+  }
+
+  void
   CohesiveForce::activate(const FaceIndex index, const State &state)
   {
-    const unsigned int lane = cohesive_faces.size() % batch_size;
+    const std::size_t  i    = cohesive_faces.size();
+    const unsigned int lane = i % batch_size;
     if (lane == 0)
       {
         // Lanes without a face are triangles of no area that never open.
         CohesiveBatch empty{};
         empty.edges[0][0] = empty.edges[1][1] = broadcast(1);
         empty.constants.stiffness             = broadcast(1);
-        for (auto &point : empty.points)
-          point.softening = broadcast(1);
+        empty.memory                          = invalid_index;
         cohesive_faces.batches.push_back(empty);
       }
-    index_of_face[index] = static_cast<std::uint32_t>(cohesive_faces.size());
+    index_of_face[index] = static_cast<std::uint32_t>(i);
     cohesive_faces.infos.push_back({index, state.time, -1});
 
     CohesiveBatch &batch = cohesive_faces.batches.back();
+    batch.n_faces        = lane + 1;
     update_face(index);
     for (unsigned int e = 0; e < 2; ++e)
       for (unsigned int d = 0; d < dim; ++d)
         batch.edges[e][d][lane] = state.reference[batch.minus[e + 1][lane]][d] -
                                   state.reference[batch.minus[0][lane]][d];
-    const double             area      = reference_area(index);
-    const double             slope     = elastic_slope(index, area);
     const FaceStrength       strength  = strengths.strength(index);
     CohesiveConstants<Simd> &constants = batch.constants;
-    batch.area[lane]                   = area;
-    constants.stiffness[lane]          = slope;
+    batch.area[lane]                   = reference_area(index);
+    batch.cohesion[lane]               = strength.cohesion;
+    constants.stiffness[lane]          = slope(index);
     constants.tensile_strength[lane]   = strength.tensile_strength;
     constants.tan_friction_angle[lane] = strength.tan_friction_angle;
-    for (unsigned int q = 0; q < n_face_points; ++q)
-      set_point(batch, q, lane, make_cohesive_point(strength, slope));
-    batch.n_faces = lane + 1;
+    if (batch.memory != invalid_index)
+      start_points(i);
   }
 
-  double
-  CohesiveForce::elastic_slope(const FaceIndex index, const double area) const
+  void
+  CohesiveForce::make_memory(const std::size_t b)
   {
-    // A corner of mass m moves against the face with a stiffness of
-    // k area / 3 on either side, hence omega^2 = 2 k area / (3 m). Three such
-    // faces at a corner take what the cell itself leaves of the limit.
-    const Face &face     = topology.faces[index];
-    double      smallest = std::numeric_limits<double>::max();
-    for (const CellIndex cell : face.cells)
-      {
-        const auto  &batch    = reference[cell / batch_size];
-        const auto   lane     = cell % batch_size;
-        const auto   material = topology.material(cell);
-        const double mass =
-          densities[material] * batch.volume[lane] / n_corners;
-        const double of_cell = largest_frequency_squared(batch,
-                                                         lane,
-                                                         stiffnesses[material],
-                                                         densities[material]);
-        smallest = std::min(smallest, mass * (frequency_limit - of_cell) / 3);
-      }
-    return 1.5 * smallest / area;
+    CohesiveBatch &batch = cohesive_faces.batches[b];
+    batch.memory = static_cast<std::uint32_t>(cohesive_faces.memories.size());
+    CohesiveMemory memory{};
+    for (auto &point : memory.points)
+      point.softening = broadcast(1);
+    cohesive_faces.memories.push_back(memory);
+    for (unsigned int lane = 0; lane < batch.n_faces; ++lane)
+      start_points(b * batch_size + lane);
+  }
+
+  void
+  CohesiveForce::start_points(const std::size_t i)
+  {
+    const CohesiveBatch &batch = cohesive_faces.batches[i / batch_size];
+    const unsigned int   lane  = i % batch_size;
+    const auto           point =
+      make_cohesive_point(strengths.strength(cohesive_faces.infos[i].face),
+                          batch.constants.stiffness[lane],
+                          part_of_fracture);
+    for (unsigned int q = 0; q < n_face_points; ++q)
+      set_point(cohesive_faces.memories[batch.memory], q, lane, point);
   }
 
   double
@@ -207,7 +217,11 @@ namespace rift
         while (last != corners.end() && last->face == first->face)
           ++last;
         if (index_of_face[first->face] == invalid_index)
-          activate(first->face, state);
+          {
+            activate(first->face, state);
+            if (cohesive_faces.batches.back().memory == invalid_index)
+              make_memory(cohesive_faces.batches.size() - 1);
+          }
         hold(state, &*first, &*first + (last - first));
         first = last;
       }
@@ -312,6 +326,7 @@ namespace rift
     // Let go of: see release_distant_faces().
     if (batch.area[lane] == 0)
       return;
+    CohesiveMemory      &memory = cohesive_faces.memories[batch.memory];
     const FaceKinematics kinematics(batch, state);
 
     // In the frame of the face. Corners that are still bonded are given the
@@ -344,12 +359,12 @@ namespace rift
         for (unsigned int d = 0; d < dim; ++d)
           jump[d] = jumps[d][lane];
 
-        auto         point  = get_point(batch, q, lane);
-        const double slope  = batch.constants.stiffness[lane];
-        const double weight = quadrature.weight[q] * area;
-        batch.initial[lane] +=
-          weight * hold_traction(point, jump, more, strength, slope);
-        set_point(batch, q, lane, point);
+        auto         point     = get_point(memory, q, lane);
+        const double stiffness = batch.constants.stiffness[lane];
+        const double weight    = quadrature.weight[q] * area;
+        memory.initial[lane] +=
+          weight * hold_traction(point, jump, more, strength, stiffness);
+        set_point(memory, q, lane, point);
       }
   }
 } // namespace rift

@@ -13,20 +13,21 @@ namespace rift
     for (std::size_t i = 0; i < cohesive_faces.size(); ++i)
       {
         const CohesiveFaceInfo &info = cohesive_faces.infos[i];
-        if (!topology.owns_face(info.face))
+        if (!topology.owns_face(info.face) || !has_opened(i))
           continue;
-        const CohesiveBatch &batch = cohesive_faces.batches[i / batch_size];
-        const unsigned int   lane  = i % batch_size;
-        CohesiveFaceRecord   record{topology.face_name(info.face),
+        const CohesiveBatch  &batch  = cohesive_faces.batches[i / batch_size];
+        const CohesiveMemory &memory = *cohesive_faces.memory_of(i);
+        const unsigned int    lane   = i % batch_size;
+        CohesiveFaceRecord    record{topology.face_name(info.face),
                                   info.start_time,
                                   info.failure_time,
                                   batch.area[lane],
-                                  batch.fracture[lane],
-                                  batch.friction[lane],
-                                  batch.initial[lane],
+                                  memory.fracture[lane],
+                                  memory.friction[lane],
+                                  memory.initial[lane],
                                   {}};
         for (unsigned int q = 0; q < n_face_points; ++q)
-          record.points[q] = get_point(batch, q, lane);
+          record.points[q] = get_point(memory, q, lane);
         result.push_back(record);
       }
     return result;
@@ -50,16 +51,21 @@ namespace rift
         const FaceIndex face = topology.find_face(record.face);
         if (face == invalid_index || !topology.needs_face(face))
           continue;
-        activate(face, state);
-        CohesiveBatch     &batch = cohesive_faces.batches.back();
-        const unsigned int lane  = (cohesive_faces.size() - 1) % batch_size;
-        batch.area[lane]         = record.area;
-        batch.fracture[lane]     = record.fracture;
-        batch.friction[lane]     = record.friction;
-        batch.initial[lane]      = record.initial;
+        if (index_of_face[face] == invalid_index)
+          activate(face, state);
+        const std::uint32_t i     = index_of_face[face];
+        CohesiveBatch      &batch = cohesive_faces.batches[i / batch_size];
+        if (batch.memory == invalid_index)
+          make_memory(i / batch_size);
+        CohesiveMemory    &memory = cohesive_faces.memories[batch.memory];
+        const unsigned int lane   = i % batch_size;
+        batch.area[lane]          = record.area;
+        memory.fracture[lane]     = record.fracture;
+        memory.friction[lane]     = record.friction;
+        memory.initial[lane]      = record.initial;
         for (unsigned int q = 0; q < n_face_points; ++q)
-          set_point(batch, q, lane, record.points[q]);
-        CohesiveFaceInfo &info = cohesive_faces.infos.back();
+          set_point(memory, q, lane, record.points[q]);
+        CohesiveFaceInfo &info = cohesive_faces.infos[i];
         info.start_time        = record.start_time;
         if (record.failure_time >= 0)
           fail(info, record.failure_time);

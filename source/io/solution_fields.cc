@@ -91,16 +91,14 @@ namespace rift
     {
       static const FaceQuadrature quadrature;
       FaceMeans                   means;
-      const CohesiveBatch &batch = force.faces().batches[index / batch_size];
       for (unsigned int q = 0; q < n_face_points; ++q)
         {
           const double weight = quadrature.weight[q];
-          const auto   point  = get_point(batch, q, index % batch_size);
           const auto   now    = force.point_state(state, index, q);
           means.damage +=
-            weight * std::min(1., std::hypot(point.opening, point.slip));
-          means.opening_damage += weight * point.opening * point.opening;
-          means.slip_damage += weight * point.slip * point.slip;
+            weight * std::min(1., std::hypot(now.opening, now.slip));
+          means.opening_damage += weight * now.opening * now.opening;
+          means.slip_damage += weight * now.slip * now.slip;
           means.opening += weight * now.jump[0];
           means.slip += weight * std::hypot(now.jump[1], now.jump[2]);
           means.normal += weight * now.traction[0];
@@ -131,7 +129,8 @@ namespace rift
     const CohesiveFaces &faces = cohesive_force.faces();
     for (std::size_t i = 0; i < faces.size(); ++i)
       {
-        if (!topology.owns_face(faces.infos[i].face))
+        if (!topology.owns_face(faces.infos[i].face) ||
+            !cohesive_force.has_opened(i))
           continue;
         const CohesiveBatch &batch = faces.batches[i / batch_size];
         for (unsigned int c = 0; c < 3; ++c)

@@ -56,6 +56,17 @@ namespace rift
     return result;
   }
 
+  double
+  mean_youngs_modulus(const StiffnessMatrix &c)
+  {
+    const double normal  = c[0][0] + c[1][1] + c[2][2];
+    const double lateral = c[0][1] + c[1][2] + c[2][0];
+    const double bulk    = (normal + 2 * lateral) / 9;
+    const double shear =
+      (normal - lateral + 3 * (c[3][3] + c[4][4] + c[5][5])) / 15;
+    return 9 * bulk * shear / (3 * bulk + shear);
+  }
+
   Matrix3<double>
   material_axes(const Vector3<double> &axis_1, const Vector3<double> &axis_2)
   {

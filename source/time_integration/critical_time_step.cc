@@ -30,7 +30,7 @@ namespace rift
     /**
      * The fastest cell of all ranks; the first of several.
      *
-     * @param frequency(its batch, its lane, the limits of its material)
+     * @param frequency(a cell, its batch, its lane, the limits of its material)
      */
     template <typename Function>
     FastCell
@@ -49,7 +49,8 @@ namespace rift
         if (topology.owns_cell(i))
           {
             const std::uint16_t material = topology.material(i);
-            const FastCell      cell     = {frequency(reference[i / batch_size],
+            const FastCell      cell     = {frequency(i,
+                                             reference[i / batch_size],
                                              i % batch_size,
                                              limits[material]),
                                             topology.cell_global_indices[i],
@@ -65,7 +66,8 @@ namespace rift
   critical_time_step(const Topology                    &topology,
                      const ReferenceCellData           &reference,
                      const std::vector<MaterialLimits> &limits,
-                     const Communicator                &communicator)
+                     const Communicator                &communicator,
+                     const CohesiveFrequency           &penalty)
   {
     const auto find_fastest = [&](const auto &frequency) {
       return find_fastest_cell(topology,
@@ -74,17 +76,20 @@ namespace rift
                                communicator,
                                frequency);
     };
-    const FastCell elastic = find_fastest([](const ReferenceBatch &batch,
-                                             const unsigned int    lane,
-                                             const MaterialLimits &of) {
+    const FastCell elastic = find_fastest([&](const CellIndex       cell,
+                                              const ReferenceBatch &batch,
+                                              const unsigned int    lane,
+                                              const MaterialLimits &of) {
       // Three cohesive faces meet at each corner of a loose cell.
       return largest_frequency_squared(batch, lane, of.stiffness, of.density) *
-             (1 + 3 * of.cohesive_stiffness_factor);
+               (1 + 3 * of.cohesive_stiffness_factor) +
+             (penalty ? penalty(cell) : 0.);
     });
     // Elastic branches may bring any breakable cell up to this frequency,
     // whatever its own is, so that viscosity must be stable together with it.
     const double   omega   = std::sqrt(elastic.frequency);
-    const FastCell viscous = find_fastest([omega](const ReferenceBatch &batch,
+    const FastCell viscous = find_fastest([omega](CellIndex,
+                                                  const ReferenceBatch &batch,
                                                   const unsigned int    lane,
                                                   const MaterialLimits &of) {
       if (of.viscosity == 0)
@@ -106,6 +111,7 @@ namespace rift
               (of.cohesive_stiffness_factor > 0 ?
                  ", cohesive stiffness included" :
                  "") +
+              (penalty ? ", cohesive penalty included" : "") +
               (of.viscosity > 0 ? ", viscosity included" : "")};
   }
 } // namespace rift

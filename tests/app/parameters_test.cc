@@ -281,7 +281,7 @@ TEST(Reference, NamesUnitsChoicesAndDefaults)
             std::string::npos);
   EXPECT_NE(out.str().find("| Safety factor | `0.7` | 1 |"), std::string::npos);
   EXPECT_NE(
-    out.str().find("| Cohesive model | `none` |  | none or extrinsic |"),
+    out.str().find("| Cohesive model | `none` |  | none, extrinsic or intrinsic |"),
     std::string::npos);
   EXPECT_NE(out.str().find("## Probe NAME\n"), std::string::npos);
 }

@@ -1,6 +1,8 @@
 // Cohesive faces per second: a cube of granite whose faces are all cut.
 
 #include <rift/cohesive/cohesive_force.h>
+#include <rift/solid/internal_force.h>
+#include <rift/time_integration/central_difference.h>
 
 #include <benchmark/benchmark.h>
 
@@ -14,24 +16,37 @@ namespace rift::test
     class CutGranite
     {
     public:
-      explicit CutGranite(const unsigned int n)
+      CutGranite(const unsigned int n, const CohesiveParameters::Model model)
         : body(discretize(make_box({{n, n, n}}, granite_edge, .15),
                           {granite().density}))
+        , activity(body.topology)
         , strengths(body.topology, {granite()}, {})
         , force(body.topology,
                 body.reference,
                 strengths,
-                {stiffness_matrix(make_elasticity(granite()))},
-                {granite().density},
-                time_step)
+                model,
+                PenaltySlopes(body.topology,
+                              body.reference,
+                              body.state,
+                              {10, true},
+                              {granite()},
+                              {stiffness_matrix(make_elasticity(granite()))}))
       {
         std::vector<FaceIndex> faces(body.topology.faces.size());
         for (FaceIndex face = 0; face < faces.size(); ++face)
           faces[face] = face;
         const TopologyChange change = split_nodes(body.topology, faces);
         body.state.grow(change);
-        force.apply(change);
-        force.start_openings(body.state, force.hold_partings(body.state, {}));
+        activity = Activity(body.topology);
+        activity.wake_all(body.topology);
+        if (model == CohesiveParameters::Model::intrinsic)
+          force.start_all(body.state);
+        else
+          {
+            force.apply(change);
+            force.start_openings(body.state,
+                                 force.hold_partings(body.state, {}));
+          }
       }
 
       /** Every cell moves away from its neighbours: by `share` of its place
@@ -56,9 +71,8 @@ namespace rift::test
             }
       }
 
-      static constexpr double time_step = 5e-8;
-
       DiscreteBody  body;
+      Activity      activity;
       FaceStrengths strengths;
       CohesiveForce force;
     };
@@ -66,30 +80,59 @@ namespace rift::test
     void
     count_faces(benchmark::State &run, const CohesiveForce &force)
     {
-      run.counters["faces"] = force.faces().size();
+      const CohesiveFaces &faces = force.faces();
+      const double         n     = faces.size();
+      run.counters["faces"]      = n;
       run.counters["bytes_per_face"] =
-        sizeof(CohesiveBatch) / batch_size + sizeof(CohesiveFaceInfo);
-      run.counters["face_steps"] = benchmark::Counter(
-        static_cast<double>(force.faces().size()) * run.iterations(),
-        benchmark::Counter::kIsRate);
+        (faces.batches.size() * sizeof(CohesiveBatch) +
+         faces.memories.size() * sizeof(CohesiveMemory)) /
+          n +
+        sizeof(CohesiveFaceInfo);
+      run.counters["face_steps"] =
+        benchmark::Counter(n * run.iterations(), benchmark::Counter::kIsRate);
     }
 
     void
-    elastic(benchmark::State &run)
+    elastic(benchmark::State &run, const CohesiveParameters::Model model)
     {
-      CutGranite cut(run.range(0));
+      CutGranite cut(run.range(0), model);
       cut.pull(1e-6);
       for (auto _ : run)
-        cut.force.add_to(cut.body.state);
-      if (cut.force.energy().fracture.value() != 0)
+        cut.force.add_to(cut.body.state, cut.activity);
+      if (cut.force.energy(cut.body.state).fracture.value() != 0)
         run.SkipWithError("Faces have softened.");
       count_faces(run, cut.force);
+    }
+
+    /** Whole steps of the intrinsic model: cells, faces, kick and drift. */
+    void
+    intrinsic_steps(benchmark::State &run)
+    {
+      CutGranite    cut(run.range(0), CohesiveParameters::Model::intrinsic);
+      InternalForce internal_force(cut.body.topology,
+                                   cut.body.reference,
+                                   {make_elasticity(granite())});
+      cut.pull(1e-7);
+      for (auto _ : run)
+        {
+          benchmark::DoNotOptimize(
+            internal_force.add_to(cut.body.state, cut.activity));
+          cut.force.add_to(cut.body.state, cut.activity);
+          advance(cut.body.state, cut.activity, 1e-12);
+        }
+      if (cut.force.energy(cut.body.state).fracture.value() != 0)
+        run.SkipWithError("Faces have softened.");
+      count_faces(run, cut.force);
+      run.counters["cell_steps"] = benchmark::Counter(
+        static_cast<double>(cut.body.topology.n_owned_cells()) *
+          run.iterations(),
+        benchmark::Counter::kIsRate);
     }
 
     void
     softening(benchmark::State &run)
     {
-      CutGranite cut(run.range(0));
+      CutGranite cut(run.range(0), CohesiveParameters::Model::extrinsic);
       double     share = 0;
       for (auto _ : run)
         {
@@ -97,16 +140,22 @@ namespace rift::test
           share += 1e-4;
           cut.pull(share);
           run.ResumeTiming();
-          cut.force.add_to(cut.body.state);
+          cut.force.add_to(cut.body.state, cut.activity);
         }
-      if (!(cut.force.energy().fracture.value() > 0))
+      if (!(cut.force.energy(cut.body.state).fracture.value() > 0))
         run.SkipWithError("No face has softened.");
       count_faces(run, cut.force);
     }
 
     // 48,000 cells; the softening run ends when about half of the faces have
     // failed.
-    BENCHMARK(elastic)->Arg(20)->Unit(benchmark::kMillisecond);
+    BENCHMARK_CAPTURE(elastic, extrinsic, CohesiveParameters::Model::extrinsic)
+      ->Arg(20)
+      ->Unit(benchmark::kMillisecond);
+    BENCHMARK_CAPTURE(elastic, intrinsic, CohesiveParameters::Model::intrinsic)
+      ->Arg(20)
+      ->Unit(benchmark::kMillisecond);
+    BENCHMARK(intrinsic_steps)->Arg(20)->Unit(benchmark::kMillisecond);
     BENCHMARK(softening)->Arg(20)->Iterations(300)->Unit(
       benchmark::kMillisecond);
   } // namespace

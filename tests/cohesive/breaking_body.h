@@ -82,9 +82,12 @@ namespace rift::test
       , force(topology,
               discrete.reference,
               strengths,
-              stiffnesses_of(materials),
-              densities_of(materials),
-              critical.frequency_squared)
+              CohesiveParameters::Model::extrinsic,
+              slopes_that_the_step_allows(topology,
+                                          discrete.reference,
+                                          stiffnesses_of(materials),
+                                          densities_of(materials),
+                                          critical.frequency_squared))
     {
       internal_force.watch(strengths.stress_bounds());
       activity.wake_all(topology);
@@ -130,7 +133,7 @@ namespace rift::test
     {
       state.force.assign(state.n_nodes(), NodalVector());
       const bool failed = internal_force.add_to(state, activity).has_value();
-      force.add_to(state);
+      force.add_to(state, activity);
       openings = force.hold_partings(state, {});
       return !failed;
     }
@@ -154,7 +157,7 @@ namespace rift::test
     Energies
     energies(const double time_step) const
     {
-      const CohesiveEnergy cohesive = force.energy();
+      const CohesiveEnergy cohesive = force.energy(state);
       EnergySums           sums;
       sums.kinetic  = kinetic_energy(topology, state, time_step);
       sums.strain   = internal_force.strain_energy(state);

@@ -63,7 +63,7 @@ namespace
           for (unsigned int d = 0; d < 3; ++d)
             body.state.displacement[body.topology.node(cell, c)][d] = u[d];
         }
-    body.force.add_to(body.state);
+    body.force.add_to(body.state, body.activity);
   }
 } // namespace
 

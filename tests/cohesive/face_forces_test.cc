@@ -42,9 +42,9 @@ namespace
             for (unsigned int d = 0; d < dim; ++d)
               batch.edges[e][d][lane] = edges[e][d];
           batch.area[lane] = .5 * norm(cross(edges[0], edges[1]));
-          for (auto &point : batch.points)
+          for (auto &traction : tractions)
             for (unsigned int d = 0; d < dim; ++d)
-              point.traction[d][lane] = value(random);
+              traction[d][lane] = value(random);
         }
       batch.n_faces = batch_size;
     }
@@ -52,7 +52,10 @@ namespace
     FaceForces
     forces() const
     {
-      return face_forces(batch, FaceKinematics(batch, state), quadrature);
+      return face_forces(batch.area,
+                         tractions,
+                         FaceKinematics(batch, state),
+                         quadrature);
     }
 
     /** Work of the tractions, as they are, on the jumps in the frame. */
@@ -66,7 +69,7 @@ namespace
           const auto jump = kinematics.jump_at(quadrature, q);
           for (unsigned int d = 0; d < dim; ++d)
             work += quadrature.weight[q] * batch.area[lane] *
-                    batch.points[q].traction[d][lane] * jump[d][lane];
+                    tractions[q][d][lane] * jump[d][lane];
         }
       return work;
     }
@@ -74,6 +77,7 @@ namespace
     std::mt19937   random;
     State          state;
     CohesiveBatch  batch{};
+    FaceTractions  tractions;
     FaceQuadrature quadrature;
   };
 

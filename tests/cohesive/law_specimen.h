@@ -16,10 +16,13 @@ namespace rift::test
 
   /** A point that is moved step by step; work is that of the trapezoidal rule,
    * as central differences do it, J/m^2. */
-  struct Specimen
+  template <typename Branch>
+  struct BranchSpecimen
   {
-    explicit Specimen(const double slope = test::slope)
-      : point(make_cohesive_point(strength, slope))
+    using Law = MohrCoulomb<Branch>;
+
+    explicit BranchSpecimen(const double slope = test::slope)
+      : point(make_cohesive_point(strength, slope, Branch::part_of_fracture))
       , constants(make_constants(strength, slope))
     {
     }
@@ -47,7 +50,7 @@ namespace rift::test
     double
     elastic_energy() const
     {
-      return .5 * dot(point.traction, point.traction) / constants.stiffness;
+      return Law::elastic_energy(point, constants);
     }
 
     /** hold_traction() at the present jump; returns the energy given. */
@@ -67,12 +70,26 @@ namespace rift::test
       return std::hypot(point.traction[1], point.traction[2]);
     }
 
-    MohrCoulomb               law;
+    Law                       law;
     CohesivePoint<double>     point;
     CohesiveConstants<double> constants;
     Vector                    jump = {{0, 0, 0}};
     double                    work = 0, fracture = 0, friction = 0;
   };
+
+  /** In the extrinsic model. */
+  using Specimen = BranchSpecimen<StraightBranch>;
+
+  /** Jump beyond the peak at which a mode has separated fully; in the extrinsic
+   * model the way to the peak takes its part. */
+  inline double
+  full_jump(const double energy,
+            const double peak,
+            const double part_of_fracture = StraightBranch::part_of_fracture)
+  {
+    return (energy - part_of_fracture * peak * peak / slope) /
+           (Softening::integral * peak);
+  }
 
   const double full_opening = strength.fracture_energy_1 / Softening::integral /
                               strength.tensile_strength;

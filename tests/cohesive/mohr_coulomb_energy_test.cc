@@ -76,12 +76,10 @@ TEST(MohrCoulomb, WhatNodesTransmittedDoesNotChangeTheEnergy)
     }
 }
 
-// With opening = full_opening D cos(a) and slip = full_slip D sin(a), both
-// irreversible, normal and shear traction are f(D) T and f(D) C, and the work
-// until D = 1 is the integral of f(D) dD times
-//   T full_opening cos(a) + C full_slip sin(a),  that is
-//   GfI cos(a) + GfII sin(a).
-// The whole jump has the elastic part f(D) (T, C) / k besides.
+// Beyond the peak, with opening = o_t D cos(a) and slip = s_t D sin(a), normal
+// and shear traction are f(D) T and f(D) C, and the work until D = 1 is the
+// integral of f(D) dD times T o_t cos(a) + C s_t sin(a), where I T o_t is what
+// the way to the peak has left of GfI, and likewise for GfII.
 TEST(MohrCoulomb, MixedModeHasTheClosedForm)
 {
   for (const double angle : {.2, .6, M_PI / 4, 1., 1.4})
@@ -91,15 +89,18 @@ TEST(MohrCoulomb, MixedModeHasTheClosedForm)
                             .6 * strength.cohesion / slope,
                             .8 * strength.cohesion / slope}};
       specimen.go_to(peak, 100);
-      const Vector       full = {{full_opening * std::cos(angle),
-                                  .6 * full_slip * std::sin(angle),
-                                  .8 * full_slip * std::sin(angle)}};
+      const double opening =
+        full_jump(strength.fracture_energy_1, strength.tensile_strength);
+      const double slip =
+        full_jump(strength.fracture_energy_2, strength.cohesion);
+      const Vector       full = {{opening * std::cos(angle),
+                                  .6 * slip * std::sin(angle),
+                                  .8 * slip * std::sin(angle)}};
       const unsigned int n    = 20000;
       for (unsigned int i = 1; i <= 1.001 * n; ++i)
         {
           const double damage = static_cast<double>(i) / n;
-          specimen.step_to(damage * full +
-                           Softening::exact(std::min(damage, 1.)) * peak);
+          specimen.step_to(peak + damage * full);
           if (i == n / 2)
             {
               const double f = Softening::exact(.5);
@@ -111,14 +112,18 @@ TEST(MohrCoulomb, MixedModeHasTheClosedForm)
                           1e-6 * strength.cohesion);
             }
         }
+      const double normal = strength.tensile_strength;
+      const double shear  = strength.cohesion;
       expect_energy(specimen,
-                    strength.fracture_energy_1 * std::cos(angle) +
-                      strength.fracture_energy_2 * std::sin(angle));
+                    (normal * normal + shear * shear) / (2 * slope) +
+                      Softening::integral *
+                        (normal * opening * std::cos(angle) +
+                         shear * slip * std::sin(angle)));
     }
 }
 
-// On a straight path of the whole jump the irreversible one is straight as
-// well in the limit of a stiff elastic branch.
+// On a straight path of the whole jump that beyond the peak is straight as well
+// in the limit of a stiff elastic branch.
 TEST(MohrCoulomb, StraightMixedPathHasTheClosedFormWhenStiff)
 {
   for (const double angle : {.2, .7, 1.3})
@@ -134,15 +139,29 @@ TEST(MohrCoulomb, StraightMixedPathHasTheClosedFormWhenStiff)
     }
 }
 
-// A branch so soft that the softening would snap back gets a longer
-// separation: then, and only then, does a face take more than its energy.
+// A branch so soft that little or nothing of the fracture energy is left at the
+// peak softens over the shortest separation: then, and only then, does a face
+// take more than its energy.
 TEST(MohrCoulomb, SoftBranchTakesMoreEnergy)
 {
-  const double soft = .7 * MohrCoulomb::shortest_separation *
-                      strength.tensile_strength / full_opening;
-  Specimen specimen(soft);
-  specimen.go_to({{2 * full_opening, 0, 0}}, 20000);
-  expect_energy(specimen, strength.fracture_energy_1 / .7);
+  const double peak   = strength.tensile_strength;
+  const double needed = .5 + Softening::integral * shortest_separation;
+  FaceStrength as_strong_in_shear = strength;
+  as_strong_in_shear.cohesion     = peak;
+  for (const double share : {.7, 1.01})
+    {
+      const double soft =
+        share * needed * peak * peak / strength.fracture_energy_1;
+      Specimen specimen(soft);
+      specimen.go_to({{4 * full_opening, 0, 0}}, 20000);
+      expect_energy(
+        specimen,
+        std::max(strength.fracture_energy_1, needed * peak * peak / soft));
+      EXPECT_EQ(is_separation_too_short(as_strong_in_shear,
+                                        soft,
+                                        StraightBranch::part_of_fracture),
+                share < 1);
+    }
 }
 
 TEST(MohrCoulomb, ClosedCyclesCreateNoEnergy)

@@ -195,7 +195,7 @@ TEST(MohrCoulomb, LanesAreLikeNumbers)
       lanes.inverse_opening[l] = p.inverse_opening;
       lanes.inverse_slip[l]    = p.inverse_slip;
     }
-  const MohrCoulomb law;
+  const MohrCoulomb<StraightBranch> law;
   for (unsigned int i = 0; i < 20000; ++i)
     {
       Vector3<Simd> jump;

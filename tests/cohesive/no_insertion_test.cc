@@ -44,7 +44,7 @@ namespace
         EXPECT_FALSE(body.internal_force.add_to(body.state, body.activity));
         if (may_break)
           {
-            body.force.add_to(body.state);
+            body.force.add_to(body.state, body.activity);
           }
         advance(body.state, body.activity, .7 * body.critical.time_step);
       }

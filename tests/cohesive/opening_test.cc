@@ -224,7 +224,7 @@ TEST(Opening, BesideAGripNodesKeepTheAccelerationOfTheGrip)
   strain_at_random(body, random, 1e-4, h);
   const auto change = body.split(body.faces_in_plane(0, h));
   body.internal_force.add_to(body.state, body.activity);
-  body.force.add_to(body.state);
+  body.force.add_to(body.state, body.activity);
   const PrescribedAcceleration is_held = [](const NodeIndex    node,
                                             const unsigned int d) {
     // Some of the parts, whichever.
@@ -263,7 +263,7 @@ TEST(Opening, PrescribedComponentsTransmitNothing)
       strain_at_random(body, random, 1e-4, h);
       body.split(body.faces_in_plane(0, h));
       body.internal_force.add_to(body.state, body.activity);
-      body.force.add_to(body.state);
+      body.force.add_to(body.state, body.activity);
       body.openings = body.force.hold_partings(
         body.state,
         [is_prescribed](const NodeIndex, const unsigned int) {

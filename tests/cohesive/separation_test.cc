@@ -97,7 +97,7 @@ namespace
     EXPECT_EQ(bar.body.force.count_faces(Communicator()).failed, 8u);
     for (const CohesiveFaceInfo &info : bar.body.force.faces().infos)
       EXPECT_EQ(bar.body.topology.face_states[info.face], FaceState::broken);
-    const CohesiveEnergy ledger = bar.body.force.energy();
+    const CohesiveEnergy ledger = bar.body.force.energy(bar.body.state);
     EXPECT_NEAR(ledger.fracture.value(), work, 1e-9 * work);
     EXPECT_NEAR(ledger.recoverable.value(), 0, 1e-9 * work);
     EXPECT_NEAR(ledger.friction.value(), 0, 1e-9 * work);

@@ -112,9 +112,8 @@ namespace
     CohesiveForce              force(body.topology,
                         body.reference,
                         strengths,
-                        stiffnesses_of(two_granites()),
-                        densities,
-                        1e12);
+                        CohesiveParameters::Model::extrinsic,
+                        [](FaceIndex) { return 1e13; });
     std::vector<OpeningCorner> openings;
     for (FaceIndex face = 0; face < body.topology.faces.size(); ++face)
       for (std::uint8_t c = 0;
@@ -122,7 +121,7 @@ namespace
            ++c)
         openings.push_back({face, c, {{0, 0, 0}}});
     force.start_openings(body.state, openings);
-    force.add_to(body.state);
+    force.add_to(body.state, Activity(body.topology));
     return fracture_solution(body.topology, body.state, force);
   }
 

@@ -100,36 +100,43 @@ namespace rift
     }
 
   private:
-    /** All that inserts cohesive elements; absent without such a model. */
+    /** The cohesive elements; absent without a model. */
     struct Fracture
     {
       Fracture(Topology                              &topology,
                const ReferenceCellData               &reference,
-               const InternalForce                   &internal_force,
                const std::vector<MaterialParameters> &materials,
                const CohesiveParameters              &parameters,
-               const std::vector<StiffnessMatrix>    &stiffnesses,
-               const std::vector<double>             &densities,
-               const double                           frequency_limit,
+               const FaceSlope                       &slope,
                const Communicator                    &communicator)
         : strengths(topology, materials, parameters, communicator)
-        , insertion(topology, reference, internal_force, strengths)
-        , force(topology,
-                reference,
-                strengths,
-                stiffnesses,
-                densities,
-                frequency_limit)
+        , force(topology, reference, strengths, parameters.model, slope)
       {
       }
 
       FaceStrengths strengths;
-      Insertion     insertion;
       CohesiveForce force;
+
+      /** In the extrinsic model. */
+      std::optional<Insertion> insertion;
     };
 
     void
     make_modules();
+
+    void
+    make_fracture();
+
+    /** Intrinsic model: parts all breakable faces. */
+    std::vector<NodeSplit>
+    split_everywhere();
+
+    /** Sums the masses of nodes that have been split. */
+    void
+    weigh(const TopologyChange &change);
+
+    PenaltySlopes
+    penalty_slopes() const;
 
     /** Writes a checkpoint of the state between two steps. Collective. */
     void
@@ -227,6 +234,7 @@ namespace rift
 
     std::vector<double>             densities;
     std::vector<Elasticity>         laws;
+    std::vector<StiffnessMatrix>    stiffnesses;
     InternalForce                   internal_force;
     Activity                        activity;
     std::optional<Fracture>         fracture;

@@ -25,9 +25,21 @@ namespace rift
     FaceQuadrature();
   };
 
+  /** What eight cohesive elements remember of what they have gone through. */
+  struct CohesiveMemory
+  {
+    std::array<CohesivePoint<Simd>, n_face_points> points;
+
+    /**
+     * Energies of a face, J: used up by fracture and by friction, and held by
+     * the elastic branches when the nodes parted, which the face was given.
+     */
+    Simd fracture, friction, initial;
+  };
+
   /**
-   * Eight cohesive elements (CE6): the pairs of nodes of the two sides, the
-   * triangle in the undeformed body and the memory of the Gauss points.
+   * Eight cohesive elements (CE6): the pairs of nodes of the two sides and the
+   * triangle in the undeformed body.
    */
   struct CohesiveBatch
   {
@@ -40,15 +52,14 @@ namespace rift
 
     CohesiveConstants<Simd> constants;
 
-    std::array<CohesivePoint<Simd>, n_face_points> points;
-
-    /**
-     * Energies of a face, J: used up by fracture and by friction, and held by
-     * the elastic branches when the nodes parted, which the face was given.
-     */
-    Simd fracture, friction, initial;
+    /** Cohesion of the intact face, Pa. */
+    Simd cohesion;
 
     unsigned int n_faces;
+
+    /** Index in CohesiveFaces::memories; invalid_index as long as none of the
+     * faces has anything to remember. */
+    std::uint32_t memory;
   };
 
   /** The rest of what is known of a cohesive element, one by one. */
@@ -56,8 +67,8 @@ namespace rift
   {
     FaceIndex face;
 
-    /** Times at which the first nodes parted and at which the face failed, s;
-     * the latter is negative before. */
+    /** Times at which the first nodes parted (0 in the intrinsic model) and at
+     * which the face failed, s; the latter is negative before. */
     double start_time, failure_time;
   };
 
@@ -69,12 +80,21 @@ namespace rift
   struct CohesiveFaces
   {
     std::vector<CohesiveBatch>    batches;
+    std::vector<CohesiveMemory>   memories;
     std::vector<CohesiveFaceInfo> infos;
 
     std::size_t
     size() const
     {
       return infos.size();
+    }
+
+    /** What a face remembers; null if its batch has no memory. */
+    const CohesiveMemory *
+    memory_of(const std::size_t face) const
+    {
+      const std::uint32_t memory = batches[face / batch_size].memory;
+      return memory == invalid_index ? nullptr : &memories[memory];
     }
   };
 
@@ -89,10 +109,12 @@ namespace rift
 
   /** Memory of one point of one face. */
   CohesivePoint<double>
-  get_point(const CohesiveBatch &batch, unsigned int point, unsigned int lane);
+  get_point(const CohesiveMemory &memory,
+            unsigned int          point,
+            unsigned int          lane);
 
   void
-  set_point(CohesiveBatch               &batch,
+  set_point(CohesiveMemory              &memory,
             unsigned int                 point,
             unsigned int                 lane,
             const CohesivePoint<double> &value);

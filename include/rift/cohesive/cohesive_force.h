@@ -4,13 +4,15 @@
 #include <rift/base/exact_sum.h>
 #include <rift/cohesive/cohesive_faces.h>
 #include <rift/cohesive/face_kinematics.h>
+#include <rift/cohesive/face_slopes.h>
 #include <rift/cohesive/face_strengths.h>
+#include <rift/discretization/activity.h>
 #include <rift/discretization/ghost_exchange.h>
 #include <rift/discretization/state.h>
-#include <rift/material/elasticity.h>
 
 #include <functional>
 #include <optional>
+#include <variant>
 #include <vector>
 
 namespace rift
@@ -43,9 +45,13 @@ namespace rift
   };
 
   /**
-   * The cohesive elements at work. A face that has been cut lies idle while
-   * its two sides still share all their nodes; it becomes a member of
-   * CohesiveFaces when the first of its corners parts.
+   * The cohesive elements at work.
+   *
+   * In the extrinsic model a face that has been cut lies idle while its two
+   * sides still share all their nodes; it becomes a member of CohesiveFaces
+   * when the first of its corners parts. In the intrinsic model all faces are
+   * members from the start, and need no memory until the first of a batch
+   * leaves the envelope.
    *
    * A face fails when all of its seven points have reached D = 1: nothing is
    * cut off then, so that failing releases no energy and separation has
@@ -57,17 +63,22 @@ namespace rift
   {
   public:
     /**
-     * @param stiffnesses, densities of each material, and
-     * @param frequency_limit square of the frequency up to which the elastic
-     *   branches may take a loose cell, 1/s^2: they are as stiff as that
-     *   allows.
+     * @param model extrinsic or intrinsic.
+     * @param slope of the elastic branches.
      */
-    CohesiveForce(Topology                    &topology,
-                  const ReferenceCellData     &reference,
-                  const FaceStrengths         &strengths,
-                  std::vector<StiffnessMatrix> stiffnesses,
-                  std::vector<double>          densities,
-                  double                       frequency_limit);
+    CohesiveForce(Topology                 &topology,
+                  const ReferenceCellData  &reference,
+                  const FaceStrengths      &strengths,
+                  CohesiveParameters::Model model,
+                  FaceSlope                 slope);
+
+    /**
+     * Intrinsic model: has all faces that have been cut carry a cohesive
+     * element. To be called once, before the first step, when all ranks know
+     * the nodes of all cells.
+     */
+    void
+    start_all(const State &state);
 
     /**
      * Takes in what a split has changed: the nodes of the faces around the
@@ -81,9 +92,12 @@ namespace rift
     void
     update_nodes(const std::vector<VertexIndex> &vertices);
 
-    /** Adds the forces of all open faces, after updating their memory. */
+    /**
+     * Adds the forces of all faces, after updating their memory. Faces between
+     * cells at rest that have no memory are passed over.
+     */
     void
-    add_to(State &state);
+    add_to(State &state, const Activity &activity);
 
     /**
      * Holds nodes that have parted in this step together for the rest of it:
@@ -109,7 +123,7 @@ namespace rift
     void
     start_openings(const State &state, std::vector<OpeningCorner> corners);
 
-    /** The faces that this rank owns, in their order. */
+    /** The faces that this rank owns and that have opened, in their order. */
     std::vector<CohesiveFaceRecord>
     records() const;
 
@@ -121,9 +135,18 @@ namespace rift
     void
     restore(const State &state, std::vector<CohesiveFaceRecord> records);
 
-    /** Energies at the last add_to(), of the faces that this rank owns. */
+    /**
+     * Energies of the faces that this rank owns.
+     *
+     * @param state as at the last add_to().
+     */
     CohesiveEnergy
-    energy() const;
+    energy(const State &state) const;
+
+    /** Whether a face has begun to open: in the intrinsic model, whether it
+     * has damage. */
+    bool
+    has_opened(std::size_t index) const;
 
     const CohesiveFaces &
     faces() const
@@ -135,10 +158,12 @@ namespace rift
     FaceCounts
     count_faces(const Communicator &communicator) const;
 
-    /** Jump at a point of a face in its frame, m, and its traction, Pa. */
+    /** Jump at a point of a face in its frame, m, its traction, Pa, and the
+     * two parts of its damage. */
     struct PointState
     {
       Vector3<double> jump, traction;
+      double          opening, slip;
     };
 
     PointState
@@ -171,9 +196,37 @@ namespace rift
     void
     activate(FaceIndex face, const State &state);
 
-    /** Slope of the elastic branch of a face, Pa/m. */
-    double
-    elastic_slope(FaceIndex face, double area) const;
+    /** Gives a batch a memory in which nothing has happened yet. */
+    void
+    make_memory(std::size_t batch_number);
+
+    /** Makes the memory of one face that of an intact one. */
+    void
+    start_points(std::size_t index);
+
+    /** Whether all cells beside the faces of a batch are at rest. */
+    bool
+    is_at_rest(std::size_t batch_number, const Activity &activity) const;
+
+    /** Tractions of a batch without memory.
+     * @param[out] yields whether any point leaves the envelope. */
+    template <typename Law>
+    FaceTractions
+    intact_tractions(const CohesiveBatch  &batch,
+                     const FaceKinematics &kinematics,
+                     bool                 &yields) const;
+
+    /** Updates the memory of a batch and returns its tractions. */
+    template <typename Law>
+    FaceTractions
+    update_memory(const Law            &law,
+                  std::size_t           batch_number,
+                  const FaceKinematics &kinematics,
+                  const State          &state);
+
+    template <typename Law>
+    void
+    add_forces(const Law &law, State &state, const Activity &activity);
 
     /** Divides the bond forces of the nodes among the faces that open. */
     void
@@ -203,6 +256,14 @@ namespace rift
     static void
     scatter(const CohesiveBatch &batch, const FaceForces &forces, State &state);
 
+    /** Elastic energies of the faces of a batch, J. */
+    template <typename Law>
+    Simd
+    elastic_energy(const State &state, const CohesiveBatch &batch) const;
+
+    Simd
+    elastic_energy(const State &state, const CohesiveBatch &batch) const;
+
     void
     note_failures(std::size_t batch_number, double time);
 
@@ -215,7 +276,7 @@ namespace rift
     void
     release_distant_faces(std::size_t           batch_number,
                           const FaceKinematics &kinematics,
-                          double                time);
+                          const State          &state);
 
     static constexpr double release_distance = .5;
 
@@ -223,16 +284,22 @@ namespace rift
     void
     fail(CohesiveFaceInfo &info, double time);
 
-    Topology                          &topology;
-    const ReferenceCellData           &reference;
-    const FaceStrengths               &strengths;
-    const std::vector<StiffnessMatrix> stiffnesses;
-    const std::vector<double>          densities;
-    const double                       frequency_limit;
-    const FaceQuadrature               quadrature;
-    const MohrCoulomb                  law;
+    using AnyLaw =
+      std::variant<MohrCoulomb<StraightBranch>, MohrCoulomb<ParabolicBranch>>;
+
+    static AnyLaw
+    law_of(CohesiveParameters::Model model);
+
+    Topology                &topology;
+    const ReferenceCellData &reference;
+    const FaceStrengths     &strengths;
+    const FaceSlope          slope;
+    const AnyLaw             law;
+    const double             part_of_fracture;
+    const FaceQuadrature     quadrature;
 
     CohesiveFaces cohesive_faces;
+
 
     /** Index in cohesive_faces of each interior face, if it has one. */
     std::vector<std::uint32_t> index_of_face;

@@ -10,13 +10,22 @@ namespace dealii
 
 namespace rift
 {
+  /** Stiffness of the intrinsic model: P_coh of the literature. */
+  struct Penalty
+  {
+    /** Pa, or a multiple of Young's modulus. */
+    double value;
+    bool   is_multiple;
+  };
+
   /** The cohesive zone model: subsection `Fracture` of the .prm. */
   struct CohesiveParameters
   {
     enum class Model
     {
       none,
-      extrinsic
+      extrinsic,
+      intrinsic
     };
 
     Model model = Model::none;
@@ -29,6 +38,9 @@ namespace rift
      */
     double stiffness_factor = 0.25;
 
+    /** Of the intrinsic model. */
+    Penalty penalty = {10, true};
+
     /** Start of the random numbers of the Weibull scatter. */
     unsigned int seed = 1;
 
@@ -40,11 +52,11 @@ namespace rift
     static CohesiveParameters
     parse(dealii::ParameterHandler &prm);
 
-    /** Throws ParameterError for a stiffness factor that is not positive. */
+    /** Throws ParameterError for a stiffness that is not positive. */
     void
     check() const;
 
-    /** What has no effect without a model. */
+    /** What has no effect with this model. */
     std::vector<InertEntries>
     inert_entries() const;
   };

@@ -32,6 +32,9 @@ namespace rift
     Simd length_1, along_2, across_2;
   };
 
+  /** Tractions at the Gauss points of eight faces in their frame, Pa. */
+  using FaceTractions = std::array<Vector3<Simd>, n_face_points>;
+
   /** Forces on the corners of the two sides of eight faces, N. */
   struct FaceForces
   {
@@ -46,7 +49,8 @@ namespace rift
    * or angular, comes from the face.
    */
   FaceForces
-  face_forces(const CohesiveBatch  &batch,
+  face_forces(const Simd           &area,
+              const FaceTractions  &tractions,
               const FaceKinematics &kinematics,
               const FaceQuadrature &quadrature);
 } // namespace rift

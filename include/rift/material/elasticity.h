@@ -85,6 +85,11 @@ namespace rift
   StiffnessMatrix
   stiffness_matrix(const Elasticity &elasticity);
 
+  /** Young's modulus of the mean of a stiffness over all directions (Voigt),
+   * Pa: that of the material itself where it is isotropic. */
+  double
+  mean_youngs_modulus(const StiffnessMatrix &stiffness);
+
   /**
    * Turns a stiffness from material axes into the frame of the mesh.
    *

@@ -5,6 +5,7 @@
 #include <rift/discretization/reference_cell_data.h>
 #include <rift/material/elasticity.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,10 @@ namespace rift
     /** CohesiveParameters::stiffness_factor where faces may break, else 0. */
     double cohesive_stiffness_factor = 0;
   };
+
+  /** What cohesive elements of given stiffness add at most to the square of a
+   * frequency of a loose cell, 1/s^2; empty where there are none. */
+  using CohesiveFrequency = std::function<double(CellIndex)>;
 
   /** The largest safe time step and what limits it. */
   struct CriticalTimeStep
@@ -47,7 +52,8 @@ namespace rift
   critical_time_step(const Topology                    &topology,
                      const ReferenceCellData           &reference,
                      const std::vector<MaterialLimits> &limits,
-                     const Communicator                &communicator);
+                     const Communicator                &communicator,
+                     const CohesiveFrequency           &penalty = {});
 } // namespace rift
 
 #endif

@@ -2,6 +2,7 @@
 #define rift_cohesive_laws_mohr_coulomb_h
 
 #include <rift/base/simd.h>
+#include <rift/cohesive/laws/elastic_branch.h>
 #include <rift/cohesive/laws/softening.h>
 
 namespace rift
@@ -25,13 +26,14 @@ namespace rift
   template <typename Number>
   struct CohesivePoint
   {
-    /** Jump at which the elastic branch has no traction, m. */
+    /** Irreversible jump: at which the elastic branch has no traction, m. */
     Vector3<Number> offset;
 
     /** Traction at the last update, Pa. */
     Vector3<Number> traction;
 
-    /** Irreversible opening and slip over what separates the face fully. */
+    /** Opening and slip beyond the envelope, over what separates the face
+     * fully. */
     Number opening, slip;
 
     /** f(D): the share of the strength that is left, 1 to 0. */
@@ -51,7 +53,7 @@ namespace rift
   template <typename Number>
   struct CohesiveConstants
   {
-    /** Slope of the elastic branch, Pa/m. */
+    /** Slope k of the elastic branch at its start, Pa/m. */
     Number stiffness;
 
     Number tensile_strength, tan_friction_angle;
@@ -65,35 +67,47 @@ namespace rift
   };
 
   /**
-   * Extrinsic cohesive law: Mohr-Coulomb with tension cut-off, softening in
-   * modes I and II and mixed, Coulomb friction in compression that does not
-   * fade with damage (doc/theory.md, section 4).
+   * Cohesive law: Mohr-Coulomb with tension cut-off, softening in modes I and
+   * II and mixed, Coulomb friction in compression that does not fade with
+   * damage (doc/theory.md, section 4).
    *
-   * The traction is elastic, t = k (jump - offset), inside of the envelope
-   *   t_n <= f(D) T + e_n,   |t_s| <= f(D) C + e_s + tan(phi) <-t_n>,
-   *   D = sqrt(opening^2 + slip^2),
-   * and the part of the jump that would leave the envelope goes into the
-   * offset, irreversibly: unloading and reloading follow the slope k, which is
-   * also the penalty against overlap. The stiffness thus never changes where
-   * the traction changes its sign, which is what injects energy in laws that
-   * unload to the origin. Once D = 1 the face closes where it was cut.
+   * The elastic part of the jump, jump - offset, makes the traction along the
+   * `Branch`, up to the envelope
+   *   t_n <= f(D) T + e_n,   |t_s| <= f(D) C + e_s + tan(phi) <-t_n>;
+   * what would leave the envelope goes into the offset, irreversibly.
+   * Unloading and reloading follow the branch, whose slope at the start is also
+   * the penalty against overlap. The stiffness thus never changes where the
+   * traction changes its sign, which is what injects energy in laws that unload
+   * to the origin. Once D = 1 the face closes where it was cut.
+   *
+   * The damage D = sqrt(opening^2 + slip^2) grows by the jump beyond the one at
+   * which the envelope was reached, over that which separates the face fully.
    *
    * The excess e is what nodes transmitted above the strength when they were
    * parted (hold_traction()); it falls with the slope `excess_slope` times k.
    *
-   * `Number` is double or Simd.
+   * @tparam Branch StraightBranch in the extrinsic model, ParabolicBranch in
+   *   the intrinsic one. `Number` is double or Simd.
    */
+  template <typename Branch>
   class MohrCoulomb
   {
   public:
-    /**
-     * Least separation over the jump at which the elastic branch peaks; any
-     * shorter and the softening would snap back.
-     */
-    static constexpr double shortest_separation = 4.5;
+    static constexpr double part_of_fracture = Branch::part_of_fracture;
 
-    /** Decline of the excess with the irreversible jump, over k. */
-    static constexpr double excess_slope = 1. / 3.;
+    /**
+     * Traction of a point that has never left the envelope: to the last bit
+     * that which update() gives it.
+     *
+     * @param[out] yields where the jump is beyond the envelope; the traction is
+     *   then about that of the envelope.
+     */
+    template <typename Number, typename Mask>
+    static Vector3<Number>
+    intact_traction(const CohesiveConstants<Number> &constants,
+                    const Number                    &cohesion,
+                    const Vector3<Number>           &jump,
+                    Mask                            &yields);
 
     /**
      * Moves a point to a new jump.
@@ -109,42 +123,66 @@ namespace rift
            const CohesiveConstants<Number> &constants,
            const Vector3<Number>           &jump) const;
 
-  private:
-    /** Irreversible opening and slip of one update, m. */
+    /** Elastic energy per area at the last update, J/m^2. */
     template <typename Number>
-    struct Flow
-    {
-      Number opening, slip;
+    static Number
+    elastic_energy(const CohesivePoint<Number>     &point,
+                   const CohesiveConstants<Number> &constants);
 
-      /** Their derivatives by -f(D), m. */
-      Number opening_rate, slip_rate;
+  private:
+    /** What an elastic jump would carry on a straight and endless branch, Pa,
+     * and the shear strength by friction that goes with it. */
+    template <typename Number>
+    struct Trial
+    {
+      Trial(const CohesiveConstants<Number> &constants,
+            const Vector3<Number>           &elastic_jump)
+        : vector(constants.stiffness * elastic_jump)
+        , normal(vector[0])
+        , shear(sqrt(vector[1] * vector[1] + vector[2] * vector[2]))
+        , friction(constants.tan_friction_angle * max(-normal, Number{}))
+      {
+      }
+
+      Vector3<Number> vector;
+      Number          normal, shear, friction;
     };
 
-    /**
-     * Irreversible jumps that bring a trial traction back to the envelope at a
-     * given softening.
-     */
+    /** The strength that is left, Pa: the peaks of the branch. */
     template <typename Number>
-    static Flow<Number>
-    flow_at(const CohesivePoint<Number>     &point,
-            const CohesiveConstants<Number> &constants,
-            const Number                    &softening,
-            const Number                    &normal,
-            const Number                    &shear,
-            const Number                    &friction);
+    struct Peaks
+    {
+      Number normal, shear;
+    };
 
-    /**
-     * Finds the softening at which the irreversible jumps that it implies
-     * give the damage that implies it, by Newton's method; the root is unique
-     * thanks to shortest_separation.
-     */
     template <typename Number>
-    Flow<Number>
+    static Peaks<Number>
+    peaks_of(const CohesivePoint<Number>     &point,
+             const CohesiveConstants<Number> &constants,
+             const Number                    &friction);
+
+    /** Traction of a trial within the reach of the branch. */
+    template <typename Number>
+    static Vector3<Number>
+    elastic_traction(const Trial<Number> &trial, const Peaks<Number> &peaks);
+
+    /** Elastic energy per area of a trial times k, Pa^2. */
+    template <typename Number>
+    static Number
+    trial_energy(const Number &trial, const Number &peak);
+
+    /** The trial of a traction, not below zero. */
+    template <typename Number>
+    static Number
+    trial_of(const Number &traction, const Number &peak);
+
+    /** Has damage and excess follow jumps beyond the envelope, m. */
+    template <typename Number>
+    void
     soften(CohesivePoint<Number>           &point,
            const CohesiveConstants<Number> &constants,
-           const Number                    &normal,
-           const Number                    &shear,
-           const Number                    &friction) const;
+           const Number                    &opening,
+           const Number                    &slip) const;
 
     /** Takes back what has changed where the mask is not set. */
     template <typename Mask, typename Number>
@@ -153,31 +191,54 @@ namespace rift
                 const CohesivePoint<Number> &old,
                 CohesivePoint<Number>       &point);
 
+    /** A divisor that is not zero. */
+    template <typename Number>
+    static Number
+    nonzero(const Number &a)
+    {
+      return max(a, Number{} + 1e-300);
+    }
+
     Softening softening;
   };
+
+  /** Decline of the excess with the jump, over the slope of the branch. */
+  constexpr double excess_slope = .5;
+
+  /**
+   * Least separation over the jump strength / k. Any shorter, and a face would
+   * separate within a few steps.
+   */
+  constexpr double shortest_separation = 1;
 
   /** What the points of a face have in common, for a slope in Pa/m. */
   CohesiveConstants<double>
   make_constants(const FaceStrength &strength, double stiffness);
 
+  // Below, `part_of_fracture` is that of the branch.
+
   /**
    * Whether a face needs more than its fracture energy in one of the modes,
    * since a separation that spent just that would be shorter than
-   * MohrCoulomb::shortest_separation: the mesh is too coarse for the material.
+   * shortest_separation: the mesh is too coarse for the material.
    */
   bool
-  is_separation_too_short(const FaceStrength &strength, double stiffness);
+  is_separation_too_short(const FaceStrength &strength,
+                          double              stiffness,
+                          double              part_of_fracture);
 
   /** A point that has not opened. */
   CohesivePoint<double>
-  make_cohesive_point(const FaceStrength &strength, double stiffness);
+  make_cohesive_point(const FaceStrength &strength,
+                      double              stiffness,
+                      double              part_of_fracture);
 
   /**
-   * Gives a point more traction than it had at its last update: the force that
-   * held two nodes together until now passes to the face, so that the start is
-   * continuous in time (doc/theory.md, section 5). What is above the strength
-   * becomes excess. Separations are adapted so that the energy drawn from the
-   * body remains the fracture energy.
+   * For straight branches: gives a point more traction than it had at its last
+   * update. The force that held two nodes together until now passes to the
+   * face, so that the start is continuous in time (doc/theory.md, section 5).
+   * What is above the strength becomes excess. Separations are adapted so that
+   * the energy drawn from the body remains the fracture energy.
    *
    * @param jump now, m; the body may have moved since the last update.
    * @return energy per area in the elastic branch that comes with the
@@ -190,65 +251,174 @@ namespace rift
                 const FaceStrength    &strength,
                 double                 stiffness);
 
+  template <typename Branch>
+  template <typename Number>
+  typename MohrCoulomb<Branch>::template Peaks<Number>
+  MohrCoulomb<Branch>::peaks_of(const CohesivePoint<Number>     &point,
+                                const CohesiveConstants<Number> &constants,
+                                const Number                    &friction)
+  {
+    return {point.softening * constants.tensile_strength + point.normal_excess,
+            point.softening * point.cohesion + point.shear_excess + friction};
+  }
+
+  template <typename Branch>
+  template <typename Number>
+  Vector3<Number>
+  MohrCoulomb<Branch>::elastic_traction(const Trial<Number> &trial,
+                                        const Peaks<Number> &peaks)
+  {
+    Vector3<Number> t = trial.vector;
+    if constexpr (!Branch::is_straight)
+      {
+        const Number zero{}, reach = zero + Branch::reach;
+        const Number opening = max(trial.normal, zero) / nonzero(peaks.normal);
+        const Number sliding = trial.shear / nonzero(peaks.shear);
+        const Number share   = Branch::secant(min(sliding, reach));
+        t[0]                 = t[0] * Branch::secant(min(opening, reach));
+        t[1]                 = t[1] * share;
+        t[2]                 = t[2] * share;
+      }
+    return t;
+  }
+
+  template <typename Branch>
+  template <typename Number>
+  Number
+  MohrCoulomb<Branch>::trial_energy(const Number &trial, const Number &peak)
+  {
+    Number factor = Number{} + .5;
+    if constexpr (!Branch::is_straight)
+      factor = Branch::energy(
+        min(max(trial, Number{}) / nonzero(peak), Number{} + Branch::reach));
+    return trial * trial * factor;
+  }
+
+  template <typename Branch>
+  template <typename Number>
+  Number
+  MohrCoulomb<Branch>::trial_of(const Number &traction, const Number &peak)
+  {
+    if constexpr (Branch::is_straight)
+      return traction;
+    else
+      return peak *
+             Branch::ratio_of(min(traction / nonzero(peak), Number{} + 1.));
+  }
+
+  template <typename Branch>
+  template <typename Number, typename Mask>
+  Vector3<Number>
+  MohrCoulomb<Branch>::intact_traction(
+    const CohesiveConstants<Number> &constants,
+    const Number                    &cohesion,
+    const Vector3<Number>           &jump,
+    Mask                            &yields)
+  {
+    const Trial<Number> trial(constants, jump);
+    const Peaks<Number> peaks = {constants.tensile_strength,
+                                 cohesion + trial.friction};
+    yields                    = (trial.normal > Branch::reach * peaks.normal) |
+             (trial.shear > Branch::reach * peaks.shear);
+    return elastic_traction(trial, peaks);
+  }
+
+  template <typename Branch>
+  template <typename Number>
+  Number
+  MohrCoulomb<Branch>::elastic_energy(
+    const CohesivePoint<Number>     &point,
+    const CohesiveConstants<Number> &constants)
+  {
+    const Number           zero{};
+    const Vector3<Number> &t  = point.traction;
+    const Number friction     = constants.tan_friction_angle * max(-t[0], zero);
+    const Peaks<Number> peaks = peaks_of(point, constants, friction);
+    const Number        shear = sqrt(t[1] * t[1] + t[2] * t[2]);
+    const Number        normal =
+      select(t[0] > zero, trial_of(max(t[0], zero), peaks.normal), t[0]);
+    return (trial_energy(normal, peaks.normal) +
+            trial_energy(trial_of(shear, peaks.shear), peaks.shear)) /
+           constants.stiffness;
+  }
+
+  template <typename Branch>
   template <typename Number>
   Dissipation<Number>
-  MohrCoulomb::update(CohesivePoint<Number>           &point,
-                      const CohesiveConstants<Number> &constants,
-                      const Vector3<Number>           &jump) const
+  MohrCoulomb<Branch>::update(CohesivePoint<Number>           &point,
+                              const CohesiveConstants<Number> &constants,
+                              const Vector3<Number>           &jump) const
   {
     const Number          zero{};
-    const Vector3<Number> former = point.traction;
-    Vector3<Number>      &t      = point.traction;
-    t                            = constants.stiffness * (jump - point.offset);
-    const Number normal          = t[0];
-    const Number friction = constants.tan_friction_angle * max(-normal, zero);
-    const Number shear    = sqrt(t[1] * t[1] + t[2] * t[2]);
-    const Number former_cohesion =
-      point.softening * point.cohesion + point.shear_excess;
-    const auto yields = (normal > point.softening * constants.tensile_strength +
-                                    point.normal_excess) |
-                        (shear > former_cohesion + friction);
+    Vector3<Number>       former = point.traction;
+    const Trial<Number>   trial(constants, jump - point.offset);
+    const Peaks<Number>   before = peaks_of(point, constants, trial.friction);
+    const Number over_normal     = trial.normal - Branch::reach * before.normal;
+    const Number over_shear      = trial.shear - Branch::reach * before.shear;
+    const auto   yields          = (over_normal > zero) | (over_shear > zero);
+    point.traction               = elastic_traction(trial, before);
     if (!any(yields))
       return {zero, zero};
+    // Intact points have not been followed: they come from the peak.
+    if constexpr (!Branch::is_straight)
+      for (unsigned int d = 0; d < dim; ++d)
+        former[d] = select(point.opening + point.slip > zero,
+                           former[d],
+                           point.traction[d]);
 
-    const CohesivePoint<Number> elastic = point;
-    const auto flow = soften(point, constants, normal, shear, friction);
+    const CohesivePoint<Number> elastic    = point;
+    const Number                compliance = 1. / constants.stiffness;
+    soften(point,
+           constants,
+           compliance * max(over_normal, zero),
+           compliance * max(over_shear, zero));
 
-    const Number    slip_share = flow.slip / max(shear, zero + 1e-300);
-    Vector3<Number> flow_jump  = {{flow.opening, zero, zero}};
-    for (unsigned int d = 1; d < 3; ++d)
-      flow_jump[d] = slip_share * t[d];
-    for (unsigned int d = 0; d < 3; ++d)
-      {
-        point.offset[d] = point.offset[d] + flow_jump[d];
-        t[d]            = t[d] - constants.stiffness * flow_jump[d];
-      }
+    // The branch ends at the peaks that are left; the rest is irreversible.
+    const Peaks<Number> after = peaks_of(point, constants, trial.friction);
+    const Number        opening =
+      compliance * max(trial.normal - Branch::reach * after.normal, zero);
+    const Number slip =
+      compliance * max(trial.shear - Branch::reach * after.shear, zero);
+    const Number    slip_share = slip / nonzero(trial.shear);
+    Vector3<Number> flow       = {{opening, zero, zero}};
+    for (unsigned int d = 1; d < dim; ++d)
+      flow[d] = slip_share * trial.vector[d];
+    point.offset += flow;
+    const Trial<Number> rest(constants, jump - point.offset);
+    Vector3<Number>    &t = point.traction;
+    t                     = elastic_traction(rest, after);
 
     // A failed point that is open will close where it was cut.
     const auto open = (point.softening <= zero) &
-                      (point.normal_excess <= zero) & (flow.opening > zero) &
+                      (point.normal_excess <= zero) & (opening > zero) &
                       (jump[0] > zero);
     point.offset[0] = select(open, zero, point.offset[0]);
     t[0]            = select(open, zero, t[0]);
 
-    // By the trapezoidal rule, as the central differences do their work: what
-    // is left of that work is exactly the change of the elastic energy. Of what
-    // sliding takes, the cohesion has its own and friction the rest. That a
-    // failed point leaves contact in the midst of a step is an error of the
-    // time integration, not fracture: it belongs to the residual.
-    const Number opening = select(open & (former[0] < zero),
-                                  zero,
-                                  .5 * (t[0] + former[0]) * flow.opening);
-    const Number sliding = .5 * ((t[1] + former[1]) * flow_jump[1] +
-                                 (t[2] + former[2]) * flow_jump[2]);
-    const Number cohesion =
-      former_cohesion + point.softening * point.cohesion + point.shear_excess;
-    const Number of_cohesion =
-      min(.5 * cohesion * flow.slip, max(sliding, zero));
+    // By the trapezoidal rule, as the central differences do their work, and
+    // what a branch releases as its peak falls: what is left of that work is
+    // exactly the change of the elastic energy. Of what sliding takes, the
+    // cohesion has its own and friction the rest. That a failed point leaves
+    // contact in the midst of a step is an error of the time integration, not
+    // fracture: it belongs to the residual.
+    const Number of_opening = select(open & (former[0] < zero),
+                                     zero,
+                                     .5 * (t[0] + former[0]) * opening);
+    const Number sliding =
+      .5 * ((t[1] + former[1]) * flow[1] + (t[2] + former[2]) * flow[2]);
+    const Number cohesion    = before.shear + after.shear - 2. * trial.friction;
+    const Number of_cohesion = min(.5 * cohesion * slip, max(sliding, zero));
     Dissipation<Number> dissipation;
-    dissipation.friction =
-      select((normal < zero) | (former[0] < zero), sliding - of_cohesion, zero);
-    dissipation.fracture = opening + sliding - dissipation.friction;
+    dissipation.friction = select((trial.normal < zero) | (former[0] < zero),
+                                  sliding - of_cohesion,
+                                  zero);
+    dissipation.fracture = of_opening + sliding - dissipation.friction;
+    if constexpr (!Branch::is_straight)
+      dissipation.fracture +=
+        compliance * (trial_energy(rest.normal, before.normal) -
+                      trial_energy(rest.normal, after.normal) +
+                      trial_energy(rest.shear, before.shear) -
+                      trial_energy(rest.shear, after.shear));
 
     // To the last bit, a point must not feel that a neighbour in its batch
     // yields: on another number of ranks it has other neighbours.
@@ -258,11 +428,12 @@ namespace rift
     return dissipation;
   }
 
+  template <typename Branch>
   template <typename Mask, typename Number>
   void
-  MohrCoulomb::keep_unless(const Mask                  &mask,
-                           const CohesivePoint<Number> &old,
-                           CohesivePoint<Number>       &point)
+  MohrCoulomb<Branch>::keep_unless(const Mask                  &mask,
+                                   const CohesivePoint<Number> &old,
+                                   CohesivePoint<Number>       &point)
   {
     for (unsigned int d = 0; d < dim; ++d)
       {
@@ -276,89 +447,26 @@ namespace rift
     point.shear_excess  = select(mask, point.shear_excess, old.shear_excess);
   }
 
+  template <typename Branch>
   template <typename Number>
-  MohrCoulomb::Flow<Number>
-  MohrCoulomb::flow_at(const CohesivePoint<Number>     &point,
-                       const CohesiveConstants<Number> &constants,
-                       const Number                    &softening,
-                       const Number                    &normal,
-                       const Number                    &shear,
-                       const Number                    &friction)
-  {
-    const Number     zero{};
-    const Number     compliance = 1. / constants.stiffness;
-    constexpr double steepening = 1 / (1 - excess_slope);
-
-    // While some excess is left it falls with the flow; the smaller flow is
-    // that of the two cases that holds.
-    const auto flow = [&](const Number &over, const Number &excess) {
-      const Number with_excess = steepening * compliance * (over - excess);
-      const Number without     = compliance * over;
-      return min(with_excess, without);
-    };
-    const Number over_normal = normal - softening * constants.tensile_strength;
-    const Number over_shear  = shear - softening * point.cohesion - friction;
-    Flow<Number> result;
-    result.opening  = max(flow(over_normal, point.normal_excess), zero);
-    result.slip     = max(flow(over_shear, point.shear_excess), zero);
-    const auto rate = [&](const Number &jump, const Number &over) {
-      return select(
-               jump > zero,
-               select(jump < compliance * over, zero + steepening, zero + 1.),
-               zero) *
-             compliance;
-    };
-    result.opening_rate =
-      rate(result.opening, over_normal) * constants.tensile_strength;
-    result.slip_rate = rate(result.slip, over_shear) * point.cohesion;
-    return result;
-  }
-
-  template <typename Number>
-  MohrCoulomb::Flow<Number>
-  MohrCoulomb::soften(CohesivePoint<Number>           &point,
-                      const CohesiveConstants<Number> &constants,
-                      const Number                    &normal,
-                      const Number                    &shear,
-                      const Number                    &friction) const
+  void
+  MohrCoulomb<Branch>::soften(CohesivePoint<Number>           &point,
+                              const CohesiveConstants<Number> &constants,
+                              const Number                    &opening,
+                              const Number                    &slip) const
   {
     const Number zero{}, one = zero + 1.;
-
-    Number share = point.softening;
-    for (unsigned int iteration = 0; iteration < 3; ++iteration)
-      {
-        const auto flow =
-          flow_at(point, constants, share, normal, shear, friction);
-        const Number opening =
-          point.opening + flow.opening * point.inverse_opening;
-        const Number slip   = point.slip + flow.slip * point.inverse_slip;
-        const Number damage = sqrt(opening * opening + slip * slip);
-        const Number inside = min(damage, one);
-        const Number damage_rate =
-          (opening * flow.opening_rate * point.inverse_opening +
-           slip * flow.slip_rate * point.inverse_slip) /
-          max(damage, zero + 1e-300);
-        const auto   f        = softening(inside);
-        const Number residual = share - f.value;
-        const Number gain = select(damage < one, -f.slope * damage_rate, zero);
-        share             = share - residual / (1. - gain);
-        share             = max(min(share, point.softening), zero);
-      }
-
-    const auto flow = flow_at(point, constants, share, normal, shear, friction);
-    const auto alive = point.softening > zero;
-    point.opening    = select(alive,
-                           point.opening + flow.opening * point.inverse_opening,
-                           point.opening);
-    point.slip =
-      select(alive, point.slip + flow.slip * point.inverse_slip, point.slip);
+    const auto   alive = point.softening > zero;
+    point.opening += select(alive, opening * point.inverse_opening, zero);
+    point.slip += select(alive, slip * point.inverse_slip, zero);
     const Number damage_squared =
       point.opening * point.opening + point.slip * point.slip;
+    const Number share =
+      min(softening(sqrt(min(damage_squared, one))), point.softening);
     point.softening     = select(damage_squared >= one, zero, share);
     const Number fall   = excess_slope * constants.stiffness;
-    point.normal_excess = max(point.normal_excess - fall * flow.opening, zero);
-    point.shear_excess  = max(point.shear_excess - fall * flow.slip, zero);
-    return flow;
+    point.normal_excess = max(point.normal_excess - fall * opening, zero);
+    point.shear_excess  = max(point.shear_excess - fall * slip, zero);
   }
 } // namespace rift
 

@@ -15,8 +15,7 @@ namespace rift
    * left at damage D, from f(0) = 1 to f(1) = 0 (doc/theory.md, eq. 13).
    *
    * In the loops over Gauss points it is read from a table of cubics, which a
-   * SIMD vector can follow and which gives the slope as well; it differs from
-   * the formula by less than 2e-10.
+   * SIMD vector can follow; it differs from the formula by less than 2e-10.
    */
   class Softening
   {
@@ -24,9 +23,6 @@ namespace rift
     /** Area below f from 0 to 1: the separation over which a mode softens is
      * its fracture energy over (this times the strength). */
     static constexpr double integral = 0.386307294744;
-
-    /** No slope of f is steeper than this (at D = 0.145). */
-    static constexpr double steepest_slope = 2.0402;
 
     /** The formula itself. */
     static double
@@ -63,24 +59,16 @@ namespace rift
         }
     }
 
-    /** f(D) and f'(D). */
+    /** f(D), for D in [0, 1]. */
     template <typename Number>
-    struct Value
-    {
-      Number value, slope;
-    };
-
-    /** For D in [0, 1]. */
-    template <typename Number>
-    Value<Number>
+    Number
     operator()(const Number &damage) const
     {
       const Number scaled = damage * (1. / width);
       Number       start;
       const auto   p = cubic(scaled, start);
       const Number x = scaled - start;
-      return {p[0] + x * (p[1] + x * (p[2] + x * p[3])),
-              (1. / width) * (p[1] + x * (2. * p[2] + x * (3. * p[3])))};
+      return p[0] + x * (p[1] + x * (p[2] + x * p[3]));
     }
 
   private:

@@ -1,0 +1,70 @@
+#ifndef rift_cohesive_laws_elastic_branch_h
+#define rift_cohesive_laws_elastic_branch_h
+
+#include <rift/base/simd.h>
+
+namespace rift
+{
+  // How the traction of a cohesive face rises to its strength. `Trial` is the
+  // elastic jump times the slope k at the start, Pa: the traction if the branch
+  // was straight and endless; its peak is the strength that is left.
+
+  /**
+   * The elastic branch of the extrinsic model: straight. It is a numerical
+   * device, as stiff as the time step allows, since a face that is inserted
+   * carries its strength already.
+   */
+  struct StraightBranch
+  {
+    static constexpr bool is_straight = true;
+
+    /** The trial at the peak, over the peak. */
+    static constexpr double reach = 1;
+
+    /**
+     * What the way to the peak takes of the fracture energy, over peak^2 / k:
+     * all its work, so that separation takes no more than that.
+     */
+    static constexpr double part_of_fracture = .5;
+  };
+
+  /**
+   * The rising branch of the intrinsic model: a parabola with its peak at the
+   * jump 2 peak / k (doc/theory.md, eq. 14b).
+   */
+  struct ParabolicBranch
+  {
+    static constexpr bool   is_straight = false;
+    static constexpr double reach       = 2;
+
+    /** None: as in the literature, the work of the rising branch comes on top
+     * of the fracture energy. */
+    static constexpr double part_of_fracture = 0;
+
+    /** Traction over trial, at a trial over its peak of 0 to 2. */
+    template <typename Number>
+    static Number
+    secant(const Number &ratio)
+    {
+      return 1. - .25 * ratio;
+    }
+
+    /** Elastic energy per area over trial^2 / k. */
+    template <typename Number>
+    static Number
+    energy(const Number &ratio)
+    {
+      return .5 - (1. / 12.) * ratio;
+    }
+
+    /** Trial over peak at a traction over peak of 0 to 1. */
+    template <typename Number>
+    static Number
+    ratio_of(const Number &traction)
+    {
+      return 2. * (1. - sqrt(1. - traction));
+    }
+  };
+} // namespace rift
+
+#endif

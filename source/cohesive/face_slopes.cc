@@ -1,0 +1,119 @@
+#include <rift/cohesive/face_slopes.h>
+#include <rift/mesh/mesh_data.h>
+#include <rift/solid/cell_frequency.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace rift
+{
+  namespace
+  {
+    double
+    face_area(const Topology          &topology,
+              const ReferenceCellData &reference,
+              const FaceIndex          face)
+    {
+      const Face &f = topology.faces[face];
+      return norm(
+        reference_area_vector(reference, f.cells[0], f.local_faces[0]));
+    }
+  } // namespace
+
+  FaceSlope
+  slopes_that_the_step_allows(const Topology              &topology,
+                              const ReferenceCellData     &reference,
+                              std::vector<StiffnessMatrix> stiffnesses,
+                              std::vector<double>          densities,
+                              const double                 frequency_limit)
+  {
+    return [&topology,
+            &reference,
+            stiffnesses = std::move(stiffnesses),
+            densities   = std::move(densities),
+            frequency_limit](const FaceIndex face) {
+      // A corner of mass m moves against the face with a stiffness of
+      // k area / 3 on either side, hence omega^2 = 2 k area / (3 m). Three such
+      // faces at a corner take what the cell itself leaves of the limit.
+      double smallest = std::numeric_limits<double>::max();
+      for (const CellIndex cell : topology.faces[face].cells)
+        {
+          const auto  &batch    = reference[cell / batch_size];
+          const auto   lane     = cell % batch_size;
+          const auto   material = topology.material(cell);
+          const double mass =
+            densities[material] * batch.volume[lane] / n_corners;
+          const double of_cell =
+            largest_frequency_squared(batch,
+                                      lane,
+                                      stiffnesses[material],
+                                      densities[material]);
+          smallest = std::min(smallest, mass * (frequency_limit - of_cell) / 3);
+        }
+      return 1.5 * smallest / face_area(topology, reference, face);
+    };
+  }
+
+  PenaltySlopes::PenaltySlopes(const Topology                        &topology,
+                               const ReferenceCellData               &reference,
+                               const State                           &state,
+                               const Penalty                         &penalty,
+                               const std::vector<MaterialParameters> &materials,
+                               const std::vector<StiffnessMatrix> &stiffnesses)
+    : topology(topology)
+    , reference(reference)
+    , state(state)
+  {
+    for (std::size_t i = 0; i < materials.size(); ++i)
+      {
+        double value = materials[i].breakable ? penalty.value : 0;
+        if (penalty.is_multiple)
+          value *= mean_youngs_modulus(stiffnesses[i]);
+        sides.push_back({value, materials[i].density});
+      }
+  }
+
+  double
+  PenaltySlopes::operator()(const FaceIndex face) const
+  {
+    const Face &f        = topology.faces[face];
+    double      shortest = std::numeric_limits<double>::max();
+    for (unsigned int c = 0; c < 3; ++c)
+      {
+        const auto corner = [&](const unsigned int i) {
+          return state
+            .reference[topology.node(f.cells[0],
+                                     face_corners[f.local_faces[0]][i % 3])]
+            .vector();
+        };
+        shortest = std::min(shortest, norm(corner(c + 1) - corner(c)));
+      }
+    return std::min(sides[topology.material(f.cells[0])].penalty,
+                    sides[topology.material(f.cells[1])].penalty) /
+           shortest;
+  }
+
+  double
+  PenaltySlopes::frequency_squared(const CellIndex cell) const
+  {
+    // The energy of a face is at most k area / 6 times the sum over its corners
+    // of |u+ - u-|^2 <= 2 (|u+|^2 + |u-|^2): each side has its own stiffness of
+    // 2 k area / 3 per corner.
+    const double mass = sides[topology.material(cell)].density *
+                        reference[cell / batch_size].volume[cell % batch_size] /
+                        n_corners;
+    std::array<double, n_corners> sums{};
+    for (unsigned int local = 0; local < n_corners; ++local)
+      {
+        const FaceIndex face = topology.cell_faces[cell][local];
+        if (face == invalid_index)
+          continue;
+        const double of_face =
+          2 * (*this)(face)*face_area(topology, reference, face) / (3 * mass);
+        for (const unsigned int corner : face_corners[local])
+          sums[corner] += of_face;
+      }
+    return *std::max_element(sums.begin(), sums.end());
+  }
+} // namespace rift
