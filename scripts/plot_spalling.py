@@ -4,19 +4,18 @@ opening and damage along the axis; and prints the figures of doc/verification.md
 
 usage: scripts/plot_spalling.py RESULTS FIGURE.png
 """
-import csv
 import json
 import os
-import struct
 import sys
 import xml.etree.ElementTree as ElementTree
-import zlib
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+
+from rift_output import read_table, read_vtu
 
 # x of the planes of the one-dimensional reference (bar of 1 mm cells).
 REFERENCE_PLANES = (82e-3, 103e-3)
@@ -26,42 +25,10 @@ EDGES = np.arange(0, 0.18 + BIN_WIDTH, BIN_WIDTH)
 SECTION = np.pi * 19e-3**2
 
 
-def read_table(path):
-    with open(path, newline="") as file:
-        rows = list(csv.reader(file))
-    values = np.array(rows[1:], dtype=float)
-    return {name: values[:, i] for i, name in enumerate(rows[0])}
-
-
-def read_array(element, appended):
-    """A DataArray as rift writes it: compressed blocks in the appended data."""
-    kind = {"Float32": "<f4", "Float64": "<f8", "Int32": "<i4"}
-    at = int(element.get("offset"))
-    n_blocks = struct.unpack_from("<Q", appended, at)[0]
-    sizes = struct.unpack_from(f"<{2 + n_blocks}Q", appended, at + 8)[2:]
-    data, at = b"", at + 8 * (3 + n_blocks)
-    for size in sizes:
-        data += zlib.decompress(appended[at:at + size])
-        at += size
-    return np.frombuffer(data, dtype=kind[element.get("type")])
-
-
 def read_fracture(path):
     """Corners and fields of the cohesive faces in the pieces of one file."""
-    with open(path, "rb") as file:
-        content = file.read()
-    start = content.index(b"<AppendedData")
-    pieces = ElementTree.fromstring(content[:start] + b"</VTKFile>").iter("Piece")
-    appended = content[content.index(b"_", start) + 1:]
-    result = []
-    for piece in pieces:
-        points = read_array(piece.find("Points/DataArray"), appended).reshape(-1, 3)
-        cells = next(a for a in piece.find("Cells") if a.get("Name") == "connectivity")
-        corners = read_array(cells, appended).reshape(-1, 3)
-        fields = {a.get("Name"): read_array(a, appended)
-                  for a in piece.find("CellData")}
-        result.append((points[corners].astype(float), fields))
-    return result
+    return [(points[corners.reshape(-1, 3)].astype(float), fields)
+            for points, corners, _, fields in read_vtu(path)]
 
 
 def join(pieces):
