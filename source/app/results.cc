@@ -144,7 +144,6 @@ namespace rift
                   Log                &log)
   {
     communicator.on_root([&] {
-      reopen_output_directory(directory);
       log.reopen(path("log.txt"));
       if (!probes.empty())
         probes_file.emplace(path("probes.csv"),

@@ -4,6 +4,7 @@
 #include <rift/base/floating_point.h>
 #include <rift/base/number_text.h>
 #include <rift/base/parameter_text.h>
+#include <rift/io/output_directory.h>
 #include <rift/io/progress.h>
 #include <rift/time_integration/central_difference.h>
 
@@ -331,6 +332,14 @@ namespace rift
     Log        log(communicator.is_root() ? &std::cout : nullptr, interactive);
     if (!parameters.title.empty())
       log.write(parameters.title);
+    // Before the mesh is made, which may take long.
+    communicator.on_root([&] {
+      const OutputParameters &output = parameters.output;
+      if (is_restart)
+        reopen_output_directory(output.directory);
+      else
+        check_output_directory(output.directory, output.overwrite);
+    });
     std::optional<Restart> restart;
     if (is_restart)
       restart = read_restart(parameters, communicator, log);

@@ -147,7 +147,7 @@ namespace rift
   }
 
   void
-  prepare_output_directory(const std::string &directory, const bool overwrite)
+  check_output_directory(const std::string &directory, const bool overwrite)
   {
     check_name(directory);
     create(directory);
@@ -164,8 +164,14 @@ namespace rift
         "to true to replace them.");
 
     check_writable(directory);
+  }
+
+  void
+  prepare_output_directory(const std::string &directory, const bool overwrite)
+  {
+    check_output_directory(directory, overwrite);
     const CheckpointFolder checkpoints(directory);
-    for (const auto &path : results)
+    for (const auto &path : find_results(directory))
       {
         std::error_code error;
         if (path == checkpoints.path())

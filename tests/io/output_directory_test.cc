@@ -30,6 +30,18 @@ TEST(OutputDirectory, OlderResultsAreRefused)
   EXPECT_EQ(read_file(directory / "summary.json"), "{}");
 }
 
+TEST(OutputDirectory, CheckRemovesNothing)
+{
+  const TemporaryDirectory directory;
+  check_output_directory(directory / "new", false);
+  EXPECT_TRUE(std::filesystem::is_empty(directory / "new"));
+
+  write_file(directory / "summary.json", "{}");
+  check_output_directory(directory.path, true);
+  EXPECT_EQ(read_file(directory / "summary.json"), "{}");
+  EXPECT_THROW(check_output_directory(directory.path, false), InputError);
+}
+
 TEST(OutputDirectory, OverwriteRemovesOnlyResults)
 {
   const TemporaryDirectory directory;

@@ -13,16 +13,22 @@ namespace rift
   constexpr const char *parameters_marker = "# All parameters as used by rift";
 
   /**
-   * Makes `directory` ready for the results of a run: creates it with the
-   * folders above it if need be, and sees to it that a file can be written
-   * there. Results of an older run are removed if `overwrite` says so: exactly
-   * the files that rift gives its names to, solid.pvd, solid-00000.vtu and so
-   * on, its checkpoints, and nothing else.
+   * Creates `directory` with the folders above it if need be, and sees to it
+   * that a run may write its results there, and can.
    *
    * @throws InputError if it is not a directory, if it holds results of an
    *   older run and `overwrite` is false, or if it holds a parameters.prm that
    *   rift did not write; nothing has been changed then.
    * @throws DiskError if it cannot be created or written.
+   */
+  void
+  check_output_directory(const std::string &directory, bool overwrite);
+
+  /**
+   * Makes `directory` ready for the results of a run: checks it as above and
+   * removes the results of an older run: exactly the files that rift gives its
+   * names to, solid.pvd, solid-00000.vtu and so on, its checkpoints, and
+   * nothing else. Throws what check_output_directory() does.
    */
   void
   prepare_output_directory(const std::string &directory, bool overwrite);
