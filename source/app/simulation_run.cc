@@ -53,7 +53,6 @@ namespace rift
     Progress progress(log, n_cells, state().time, parameters.time.end_time);
     timer.stop("setup");
     const double wall_start = timer.total();
-    busy_before             = wall_start;
     while (state().step < last_step)
       {
         step();

@@ -14,6 +14,7 @@ expect 0 1 "$scene" --output run "${every[@]}"
 same_results whole run
 [ -e run/checkpoint/20 ] && [ -e run/checkpoint/440 ] ||
   fail "not every 20 steps: $(ls run/checkpoint)"
+! grep "divided anew" run/log.txt || fail "a single rank has unequal work"
 
 # One restart after the other
 step=380
