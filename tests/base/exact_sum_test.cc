@@ -68,7 +68,7 @@ TEST(ExactSum, IsTheNearestDouble)
           if (std::isinf(term))
             continue;
           sum.add(term);
-          expected += static_cast<__int128>(mantissa) << shift;
+          expected += mantissa * (static_cast<__int128>(1) << shift);
         }
       EXPECT_EQ(sum.value(),
                 std::ldexp(static_cast<double>(expected), exponent))
