@@ -1,8 +1,8 @@
 # Stops runs by signals to the ranks and goes on.
 #
-#   bash signals.sh RIFT RANKS
+#   bash signals.sh RIFT RANKS [END_TIME]
 . "$(dirname "$0")/common.sh"
-arguments=("$here/bar.prm" --set "Time/End time=200e-6")
+arguments=("$here/bar.prm" --set "Time/End time=${3:-200e-6}")
 
 expect 0 1 "${arguments[@]}" --output whole
 for signal in TERM USR1; do
