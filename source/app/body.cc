@@ -113,7 +113,10 @@ namespace rift
 
     /** Says what the mesh is. Collective. */
     void
-    describe(const Body &body, const MeshData &mesh, Log &log)
+    describe(const Body     &body,
+             const MeshData &mesh,
+             const bool      is_parted,
+             Log            &log)
     {
       const std::size_t n_nodes =
         body.communicator.sum(body.discretization.topology.n_owned_nodes());
@@ -125,7 +128,7 @@ namespace rift
           text += (text.empty() ? "" : ", ") + name;
         return text.empty() ? std::string("none") : text;
       };
-      if (n_nodes > mesh.vertices.size())
+      if (n_nodes > mesh.vertices.size() && !is_parted)
         log.write("Pieces that touch by an edge or a vertex alone are not "
                   "connected there: " +
                   std::to_string(n_nodes - mesh.vertices.size()) +
@@ -197,18 +200,24 @@ namespace rift
           body.materials.push_back(material);
 
     std::vector<double> densities;
+    std::vector<bool>   parted;
     for (const MaterialParameters &material : body.materials)
-      densities.push_back(material.density);
+      {
+        densities.push_back(material.density);
+        if (parameters.cohesive.model == CohesiveParameters::Model::intrinsic)
+          parted.push_back(material.breakable);
+      }
     body.discretization =
       discretize(*make_triangulation(mesh, owners, communicator.mpi()),
                  densities,
-                 communicator);
+                 communicator,
+                 parted);
     const Topology &topology = body.discretization.topology;
     body.surfaces = find_surfaces(topology, names, names.boundary_faces);
     body.internal_surfaces =
       find_surfaces(topology, names, names.internal_faces);
     set_initial_velocity(body);
-    describe(body, mesh, log);
+    describe(body, mesh, !parted.empty(), log);
     return body;
   }
 } // namespace rift

@@ -122,9 +122,6 @@ namespace rift
       }
 
     make_fracture();
-    std::vector<NodeSplit> splits;
-    if (parameters.cohesive.model == CohesiveParameters::Model::intrinsic)
-      splits = split_everywhere();
     if (viscosity > 0)
       {
         damping.emplace(topology, reference, viscosities);
@@ -146,11 +143,8 @@ namespace rift
       body_force.emplace(parameters.body_force);
     if (moves_from_start)
       activity.wake_all(topology);
-    exchange.send(topology, state, splits, {});
+    exchange.send(topology, state, {}, {});
     exchange.receive(topology, state, activity);
-    update_surfaces();
-    if (parameters.cohesive.model == CohesiveParameters::Model::intrinsic)
-      fracture->force.start_all(state);
   }
 
   void
@@ -183,6 +177,8 @@ namespace rift
                                     fracture->strengths);
         internal_force.watch(fracture->strengths.stress_bounds());
       }
+    else
+      fracture->force.start_all(state);
   }
 
   PenaltySlopes
@@ -194,30 +190,6 @@ namespace rift
                          parameters.cohesive.penalty,
                          body.materials,
                          stiffnesses);
-  }
-
-  std::vector<NodeSplit>
-  Simulation::split_everywhere()
-  {
-    auto &[topology, reference, state, exchange] = body.discretization;
-    std::vector<FaceIndex> faces;
-    for (FaceIndex face = 0; face < topology.faces.size(); ++face)
-      if (fracture->strengths.is_breakable(face))
-        faces.push_back(face);
-    const TopologyChange change = split_nodes(topology, faces);
-    state.grow(change);
-    weigh(change);
-    activity = Activity(topology);
-    return change.splits;
-  }
-
-  void
-  Simulation::weigh(const TopologyChange &change)
-  {
-    auto &[topology, reference, state, exchange] = body.discretization;
-    for (const NodeSplit &split : change.splits)
-      for (const NodeIndex part : split.parts)
-        state.mass[part] = lumped_mass(topology, reference, densities, part);
   }
 
   void
@@ -376,7 +348,9 @@ namespace rift
       return change;
 
     state.grow(change);
-    weigh(change);
+    for (const NodeSplit &split : change.splits)
+      for (const NodeIndex part : split.parts)
+        state.mass[part] = lumped_mass(topology, reference, densities, part);
     activity.grow(topology.n_nodes());
     fracture->force.apply(change);
     update_surfaces();

@@ -93,7 +93,8 @@ namespace rift
   Discretization
   discretize(const Triangulation       &triangulation,
              const std::vector<double> &densities,
-             const Communicator        &communicator)
+             const Communicator        &communicator,
+             const std::vector<bool>   &parted)
   {
     // The vector-valued space of the displacement; its scalar shape functions
     // are the same for the three components, so that of x is asked.
@@ -117,7 +118,10 @@ namespace rift
       {}};
     Topology &topology = result.topology;
 
-    separate_touching_pieces(topology);
+    if (parted.empty())
+      separate_touching_pieces(topology);
+    else
+      part_materials(topology, parted);
     result.exchange = GhostExchange(communicator, topology);
     result.reference.resize(topology.n_batches(), ReferenceBatch{});
     result.state.resize(topology.n_nodes());

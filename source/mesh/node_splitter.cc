@@ -126,4 +126,34 @@ namespace rift
         split_node(topology, node);
     return topology.n_nodes() - n_before;
   }
+
+  void
+  part_materials(Topology &topology, const std::vector<bool> &parted)
+  {
+    for (FaceIndex face = 0; face < topology.faces.size(); ++face)
+      {
+        const auto &cells = topology.faces[face].cells;
+        if (parted[topology.material(cells[0])] &&
+            parted[topology.material(cells[1])])
+          topology.face_states[face] = FaceState::cohesive;
+      }
+    separate_touching_pieces(topology);
+
+    // Numbers in the order of the cells, so that those of a cell lie together.
+    std::vector<NodeIndex>   numbers(topology.n_nodes(), invalid_index);
+    std::vector<VertexIndex> vertices;
+    for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
+      for (unsigned int c = 0; c < n_corners && !topology.is_padding(cell); ++c)
+        if (NodeIndex &number = numbers[topology.node(cell, c)];
+            number == invalid_index)
+          {
+            number = static_cast<NodeIndex>(vertices.size());
+            vertices.push_back(topology.vertex(cell, c));
+          }
+    for (BatchNodes &batch : topology.batches)
+      for (auto &corner : batch.corner)
+        for (NodeIndex &node : corner)
+          node = numbers[node];
+    topology.node_vertices = std::move(vertices);
+  }
 } // namespace rift

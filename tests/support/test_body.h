@@ -147,12 +147,15 @@ namespace rift::test
   inline DiscreteBody
   discretize_ordered(const Body                &body,
                      const std::vector<double> &densities,
-                     const int                  own_rank = 0)
+                     const int                  own_rank = 0,
+                     const std::vector<bool>   &parted   = {})
   {
     DiscreteBody result{Topology(body.cells, body.vertices.size(), own_rank),
                         {},
                         {}};
     Topology    &topology = result.topology;
+    if (!parted.empty())
+      part_materials(topology, parted);
     result.reference.resize(topology.n_batches(), ReferenceBatch{});
     result.state.resize(topology.n_nodes());
     for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
@@ -186,10 +189,12 @@ namespace rift::test
   }
 
   inline DiscreteBody
-  discretize(Body body, const std::vector<double> &densities)
+  discretize(Body                       body,
+             const std::vector<double> &densities,
+             const std::vector<bool>   &parted = {})
   {
     order(body);
-    return discretize_ordered(body, densities);
+    return discretize_ordered(body, densities, 0, parted);
   }
 } // namespace rift::test
 

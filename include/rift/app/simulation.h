@@ -127,14 +127,6 @@ namespace rift
     void
     make_fracture();
 
-    /** Intrinsic model: parts all breakable faces. */
-    std::vector<NodeSplit>
-    split_everywhere();
-
-    /** Sums the masses of nodes that have been split. */
-    void
-    weigh(const TopologyChange &change);
-
     PenaltySlopes
     penalty_slopes() const;
 

@@ -16,12 +16,15 @@ namespace rift
    * after that. Collective.
    *
    * @param densities kg/m^3 of each material id of the triangulation.
+   * @param parted materials whose cells have no nodes in common with each other
+   *   from the start; see part_materials().
    */
   Discretization
   discretize(
     const dealii::parallel::fullydistributed::Triangulation<dim> &triangulation,
     const std::vector<double>                                    &densities,
-    const Communicator                                           &communicator);
+    const Communicator                                           &communicator,
+    const std::vector<bool>                                      &parted = {});
 } // namespace rift
 
 #endif

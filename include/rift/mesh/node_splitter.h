@@ -54,6 +54,15 @@ namespace rift
    */
   std::size_t
   separate_touching_pieces(Topology &topology);
+
+  /**
+   * Marks all faces between cells of parted materials as cut and separates
+   * their nodes: for an intact body, before anything knows its nodes.
+   *
+   * @param parted for each material.
+   */
+  void
+  part_materials(Topology &topology, const std::vector<bool> &parted);
 } // namespace rift
 
 #endif
