@@ -2,9 +2,11 @@
 import glob
 import json
 import os
+import resource
 import shutil
 import subprocess
 import sys
+import time
 
 import numpy as np
 
@@ -18,6 +20,9 @@ N_ROWS = 400
 
 # What is not part of the loop over the steps.
 NOT_COUNTED = ("setup", "ledger and output")
+
+# Seconds in which a program is not always left alone.
+LONG = 0.2
 
 
 def call(command, **options):
@@ -65,19 +70,31 @@ def write_scene(problem, mesh, model, path, time_step="auto"):
             file.write(f"subsection {section}\n{lines}end\n")
 
 
+def processor_seconds():
+    """Of all programs that were called and have ended."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
+
+
 def run(rift, scene):
-    """Runs it, and returns the folder of its results and its summary."""
+    """Runs it, and returns the folder of its results, its summary, and which part
+    of the time it had a processor."""
     results = scene[:-4]
     shutil.rmtree(results, ignore_errors=True)
+    start = time.monotonic(), processor_seconds()
     call([rift, scene, "--output", results])
+    share = (processor_seconds() - start[1]) / (time.monotonic() - start[0])
     with open(os.path.join(results, "summary.json")) as file:
-        return results, json.load(file)
+        return results, json.load(file), min(share, 1)
 
 
-def loop_seconds(summary):
-    """Wall time of the loop over the steps without ledger and output, s."""
-    return sum(seconds for stage, seconds in summary["wall_seconds_by_stage"].items()
+def loop_seconds(summary, share):
+    """Time of the loop over the steps without ledger and output, s: the wall time;
+    of long loops, in which other programs are bound to have had their turns, the
+    part with a processor."""
+    wall = sum(seconds for stage, seconds in summary["wall_seconds_by_stage"].items()
                if stage not in NOT_COUNTED)
+    return wall * share if wall > LONG else wall
 
 
 def relative_error(values, exact, weights):
