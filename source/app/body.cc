@@ -199,17 +199,13 @@ namespace rift
         if (material.name == name)
           body.materials.push_back(material);
 
-    std::vector<double> densities;
-    std::vector<bool>   parted;
-    for (const MaterialParameters &material : body.materials)
-      {
-        densities.push_back(material.density);
-        if (parameters.cohesive.model == CohesiveParameters::Model::intrinsic)
-          parted.push_back(material.breakable);
-      }
+    std::vector<bool> parted;
+    if (parameters.cohesive.model == CohesiveParameters::Model::intrinsic)
+      for (const MaterialParameters &material : body.materials)
+        parted.push_back(material.breakable);
     body.discretization =
       discretize(*make_triangulation(mesh, owners, communicator.mpi()),
-                 densities,
+                 densities_of(body.materials),
                  communicator,
                  parted);
     const Topology &topology = body.discretization.topology;

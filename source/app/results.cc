@@ -19,15 +19,6 @@ namespace rift
       return 1024ull * static_cast<std::uint64_t>(usage.ru_maxrss);
     }
 
-    std::vector<double>
-    densities_of(const Body &body)
-    {
-      std::vector<double> densities;
-      for (const MaterialParameters &material : body.materials)
-        densities.push_back(material.density);
-      return densities;
-    }
-
     /** The terms of the ledger with their names. */
     NamedNumbers
     named_energies(const EnergyLedger &ledger)
@@ -260,15 +251,16 @@ namespace rift
   {
     ++n_solutions;
     const Discretization &d = snapshot.body.discretization;
-    solid->write(d.state.time,
-                 solid_solution(d.topology,
-                                d.state,
-                                snapshot.internal_force,
-                                velocity_at_step(d.state, snapshot.time_step),
-                                number_fragments(d.topology,
-                                                 d.reference,
-                                                 densities_of(snapshot.body),
-                                                 communicator)));
+    solid->write(
+      d.state.time,
+      solid_solution(d.topology,
+                     d.state,
+                     snapshot.internal_force,
+                     velocity_at_step(d.state, snapshot.time_step),
+                     number_fragments(d.topology,
+                                      d.reference,
+                                      densities_of(snapshot.body.materials),
+                                      communicator)));
     if (fracture)
       fracture->write(
         d.state.time,
@@ -294,7 +286,7 @@ namespace rift
     const auto            fragments =
       list_fragments(d.topology,
                      d.reference,
-                     densities_of(snapshot.body),
+                     densities_of(snapshot.body.materials),
                      d.state,
                      velocity_at_step(d.state, snapshot.time_step),
                      communicator);

@@ -1,17 +1,12 @@
-#include <rift/app/run.h>
 #include <rift/app/simulation.h>
 #include <rift/base/exceptions.h>
-#include <rift/base/floating_point.h>
 #include <rift/base/number_text.h>
 #include <rift/base/parameter_text.h>
-#include <rift/io/progress.h>
 #include <rift/mesh/partition.h>
 #include <rift/time_integration/central_difference.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
-#include <limits>
 
 namespace rift
 {
@@ -22,15 +17,6 @@ namespace rift
 
     /** Years of computing; more is a mistake in the scene. */
     constexpr double largest_number_of_steps = 1e12;
-
-    std::vector<double>
-    densities_of(const std::vector<MaterialParameters> &materials)
-    {
-      std::vector<double> densities;
-      for (const MaterialParameters &material : materials)
-        densities.push_back(material.density);
-      return densities;
-    }
 
     std::vector<Elasticity>
     laws_of(const std::vector<MaterialParameters> &materials)

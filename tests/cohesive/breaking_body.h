@@ -31,15 +31,6 @@ namespace rift::test
     return material;
   }
 
-  inline std::vector<double>
-  densities_of(const std::vector<MaterialParameters> &materials)
-  {
-    std::vector<double> result;
-    for (const auto &material : materials)
-      result.push_back(material.density);
-    return result;
-  }
-
   inline std::vector<Elasticity>
   laws_of(const std::vector<MaterialParameters> &materials)
   {

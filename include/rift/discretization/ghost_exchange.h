@@ -83,16 +83,9 @@ namespace rift
     Change
     receive(Topology &topology, State &state, Activity &activity);
 
-    /** Bytes that this rank sends in a step without cracks, and to how many
-     * others. */
+    /** Bytes that this rank sends in a step without cracks. */
     std::size_t
     n_bytes() const;
-
-    std::size_t
-    n_messages() const
-    {
-      return listeners.size();
-    }
 
   private:
     struct CellCorner

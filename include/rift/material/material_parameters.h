@@ -98,6 +98,16 @@ namespace rift
     std::vector<InertEntries>
     inert_entries() const;
   };
+
+  /** The density of each material. */
+  inline std::vector<double>
+  densities_of(const std::vector<MaterialParameters> &materials)
+  {
+    std::vector<double> densities;
+    for (const MaterialParameters &material : materials)
+      densities.push_back(material.density);
+    return densities;
+  }
 } // namespace rift
 
 #endif
