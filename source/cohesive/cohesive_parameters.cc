@@ -108,6 +108,15 @@ namespace rift
       throw ParameterError(section,
                            "Cohesive penalty",
                            "this must be greater than zero.");
+    // No solid is that soft; somebody has forgotten the E.
+    constexpr double smallest_penalty = 1e6;
+    if (!penalty.is_multiple && penalty.value < smallest_penalty)
+      throw ParameterError(section,
+                           "Cohesive penalty",
+                           "this is in Pa, and less than " +
+                             to_text(smallest_penalty) +
+                             ". For a multiple of Young's modulus write \"" +
+                             to_text(penalty.value) + " E\".");
   }
 
   std::vector<InertEntries>
