@@ -21,6 +21,41 @@ namespace rift
     }
   } // namespace
 
+  namespace
+  {
+    /**
+     * Of a matrix without negative entries, from above: for any vector x > 0 no
+     * eigenvalue exceeds the largest (A x)_i / x_i (Collatz and Wielandt). The
+     * powers of A bring x near the eigenvector.
+     */
+    double
+    largest_eigenvalue(
+      const std::array<std::array<double, n_corners>, n_corners> &matrix)
+    {
+      constexpr unsigned int        n_iterations = 8;
+      std::array<double, n_corners> x;
+      x.fill(1);
+      double bound = 0;
+      for (unsigned int iteration = 0; iteration < n_iterations; ++iteration)
+        {
+          std::array<double, n_corners> product{};
+          bound = 0;
+          for (unsigned int i = 0; i < n_corners; ++i)
+            {
+              for (unsigned int j = 0; j < n_corners; ++j)
+                product[i] += matrix[i][j] * x[j];
+              // Corners without any face have nothing to do with the others.
+              if (product[i] > 0)
+                bound = std::max(bound, product[i] / x[i]);
+            }
+          if (bound > 0)
+            for (unsigned int i = 0; i < n_corners; ++i)
+              x[i] = product[i] / bound;
+        }
+      return bound;
+    }
+  } // namespace
+
   FaceSlope
   slopes_that_the_step_allows(const Topology              &topology,
                               const ReferenceCellData     &reference,
@@ -97,23 +132,24 @@ namespace rift
   double
   PenaltySlopes::frequency_squared(const CellIndex cell) const
   {
-    // The energy of a face is at most k area / 6 times the sum over its corners
-    // of |u+ - u-|^2 <= 2 (|u+|^2 + |u-|^2): each side has its own stiffness of
-    // 2 k area / 3 per corner.
+    // Since |u+ - u-|^2 <= 2 (|u+|^2 + |u-|^2), each side of a face has at most
+    // a stiffness of its own, of twice the slope: for each component the matrix
+    // k area / 6 (1 + delta) over the corners of the face.
     const double mass = sides[topology.material(cell)].density *
                         reference[cell / batch_size].volume[cell % batch_size] /
                         n_corners;
-    std::array<double, n_corners> sums{};
+    std::array<std::array<double, n_corners>, n_corners> matrix{};
     for (unsigned int local = 0; local < n_corners; ++local)
       {
         const FaceIndex face = topology.cell_faces[cell][local];
         if (face == invalid_index)
           continue;
         const double of_face =
-          2 * (*this)(face)*face_area(topology, reference, face) / (3 * mass);
-        for (const unsigned int corner : face_corners[local])
-          sums[corner] += of_face;
+          (*this)(face)*face_area(topology, reference, face) / (6 * mass);
+        for (const unsigned int i : face_corners[local])
+          for (const unsigned int j : face_corners[local])
+            matrix[i][j] += i == j ? 2 * of_face : of_face;
       }
-    return *std::max_element(sums.begin(), sums.end());
+    return largest_eigenvalue(matrix);
   }
 } // namespace rift

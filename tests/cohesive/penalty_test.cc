@@ -130,7 +130,7 @@ TEST(Penalty, BoundOfTheTimeStepIsSafeAndFairlySharp)
                              });
         const double exact = box.largest_frequency_squared();
         EXPECT_LE(exact, bound.frequency_squared);
-        EXPECT_GE(exact, .45 * bound.frequency_squared)
+        EXPECT_GE(exact, .5 * bound.frequency_squared)
           << penalty << " E, seed " << seed;
       }
 }
