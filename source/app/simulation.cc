@@ -216,7 +216,7 @@ namespace rift
                        to_text(n_steps) + " steps; rift counts to " +
                        to_text(largest_number_of_steps) +
                        ". Look at the end time, the time step, the stiffness "
-                       "factor and the viscosities.");
+                       "factor, the cohesive penalty and the viscosities.");
     last_step = static_cast<std::uint64_t>(n_steps);
     if (time.time_step == 0 && restart == nullptr)
       dt = time.end_time / last_step;

@@ -98,15 +98,16 @@ namespace rift
     results.finish(snapshot(), summary);
     log.write(
       "Done: " + std::to_string(state().step) + " steps in " +
-      duration_text(timer.total()) + "; " + std::to_string(faces.inserted) +
-      " faces cut, largest residual of the energy ledger " +
+      duration_text(timer.total()) + "; " + std::to_string(faces.opened) +
+      " faces opened, largest residual of the energy ledger " +
       short_text(ledger.largest_relative_residual()) + " of the energy put in");
     if (faces.too_short > 0)
       log.write("WARNING: " + std::to_string(faces.too_short) + " of " +
                 std::to_string(faces.opened) +
                 " opened faces need more than their fracture energy: the "
                 "elements are too large for these strengths and fracture "
-                "energies (doc/theory.md, section 4)");
+                "energies, or the cohesive penalty is too small "
+                "(doc/theory.md, section 4)");
     body.communicator.on_root([this] { log.check(); });
   }
 

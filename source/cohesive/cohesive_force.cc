@@ -200,7 +200,7 @@ namespace rift
     CohesiveMemory &memory  = cohesive_faces.memories[batch.memory];
     const Simd      elastic = elastic_energy(state, batch);
     for (unsigned int lane = 0; lane < batch.n_faces; ++lane)
-      if (is_distant[lane])
+      if (is_distant[lane] && has_opened(b * batch_size + lane))
         {
           memory.fracture[lane] += elastic[lane];
           batch.area[lane] = 0;

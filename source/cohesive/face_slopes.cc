@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace rift
@@ -19,10 +20,7 @@ namespace rift
       return norm(
         reference_area_vector(reference, f.cells[0], f.local_faces[0]));
     }
-  } // namespace
 
-  namespace
-  {
     /**
      * Of a matrix without negative entries, from above: for any vector x > 0 no
      * eigenvalue exceeds the largest (A x)_i / x_i (Collatz and Wielandt). The
@@ -105,6 +103,10 @@ namespace rift
         double value = materials[i].breakable ? penalty.value : 0;
         if (penalty.is_multiple)
           value *= mean_youngs_modulus(stiffnesses[i]);
+        if (!std::isfinite(value))
+          throw ParameterError("Fracture",
+                               "Cohesive penalty",
+                               "this is too large for a number.");
         sides.push_back({value, materials[i].density});
       }
   }

@@ -116,7 +116,7 @@ TEST(IntrinsicModel, WavesAreSlowerByTheComplianceOfTheFaces)
       const double expected = 1 / std::sqrt(1 + kappa / penalty);
       EXPECT_NEAR(time / travel(simulation, 1 / expected),
                   expected,
-                  .01 * expected)
+                  .005 * expected)
         << penalty << " E";
     }
 }

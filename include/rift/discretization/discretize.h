@@ -16,8 +16,8 @@ namespace rift
    * after that. Collective.
    *
    * @param densities kg/m^3 of each material id of the triangulation.
-   * @param parted materials whose cells have no nodes in common with each other
-   *   from the start; see part_materials().
+   * @param parted for each material whether faces between cells of such
+   *   materials are cut from the start; see part_materials(). Empty: none are.
    */
   Discretization
   discretize(

@@ -30,7 +30,8 @@ namespace rift
 
   /**
    * The rising branch of the intrinsic model: a parabola with its peak at the
-   * jump 2 peak / k (doc/theory.md, eq. 14b).
+   * jump 2 peak / k (doc/theory.md, eq. 14b). Shear that friction holds above
+   * the peak goes on with the slope k.
    */
   struct ParabolicBranch
   {
@@ -41,12 +42,12 @@ namespace rift
      * of the fracture energy. */
     static constexpr double part_of_fracture = 0;
 
-    /** Traction over trial, at a trial over its peak of 0 to 2. */
+    /** Traction over trial; `ratio` is the trial over its peak. */
     template <typename Number>
     static Number
     secant(const Number &ratio)
     {
-      return 1. - .25 * ratio;
+      return select(ratio < reach, 1. - .25 * ratio, 1. - 1. / ratio);
     }
 
     /** Elastic energy per area over trial^2 / k. */
@@ -54,7 +55,10 @@ namespace rift
     static Number
     energy(const Number &ratio)
     {
-      return .5 - (1. / 12.) * ratio;
+      const Number inverse = 1. / ratio;
+      return select(ratio < reach,
+                    .5 - (1. / 12.) * ratio,
+                    .5 - inverse + (4. / 3.) * inverse * inverse);
     }
 
     /** Trial over peak at a traction over peak of 0 to 1. */
@@ -62,7 +66,7 @@ namespace rift
     static Number
     ratio_of(const Number &traction)
     {
-      return 2. * (1. - sqrt(1. - traction));
+      return 2. * traction / (1. + sqrt(1. - traction));
     }
   };
 } // namespace rift

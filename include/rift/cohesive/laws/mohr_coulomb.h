@@ -78,7 +78,7 @@ namespace rift
    * Unloading and reloading follow the branch, whose slope at the start is also
    * the penalty against overlap. The stiffness thus never changes where the
    * traction changes its sign, which is what injects energy in laws that unload
-   * to the origin. Once D = 1 the face closes where it was cut.
+   * to the origin. Once D = 1 and the face is open, it closes where it was cut.
    *
    * The damage D = sqrt(opening^2 + slip^2) grows by the jump beyond the one at
    * which the envelope was reached, over that which separates the face fully.
@@ -148,7 +148,8 @@ namespace rift
       Number          normal, shear, friction;
     };
 
-    /** The strength that is left, Pa: the peaks of the branch. */
+    /** The strength that is left, without friction, Pa: the peaks of the
+     * branch. */
     template <typename Number>
     struct Peaks
     {
@@ -158,8 +159,12 @@ namespace rift
     template <typename Number>
     static Peaks<Number>
     peaks_of(const CohesivePoint<Number>     &point,
-             const CohesiveConstants<Number> &constants,
-             const Number                    &friction);
+             const CohesiveConstants<Number> &constants);
+
+    /** By how much a trial is beyond the reach of the branch, Pa. */
+    template <typename Number>
+    static Peaks<Number>
+    beyond(const Trial<Number> &trial, const Peaks<Number> &peaks);
 
     /** Traction of a trial within the reach of the branch. */
     template <typename Number>
@@ -255,11 +260,22 @@ namespace rift
   template <typename Number>
   typename MohrCoulomb<Branch>::template Peaks<Number>
   MohrCoulomb<Branch>::peaks_of(const CohesivePoint<Number>     &point,
-                                const CohesiveConstants<Number> &constants,
-                                const Number                    &friction)
+                                const CohesiveConstants<Number> &constants)
   {
     return {point.softening * constants.tensile_strength + point.normal_excess,
-            point.softening * point.cohesion + point.shear_excess + friction};
+            point.softening * point.cohesion + point.shear_excess};
+  }
+
+  template <typename Branch>
+  template <typename Number>
+  typename MohrCoulomb<Branch>::template Peaks<Number>
+  MohrCoulomb<Branch>::beyond(const Trial<Number> &trial,
+                              const Peaks<Number> &peaks)
+  {
+    const Number zero{};
+    return {
+      max(trial.normal - Branch::reach * peaks.normal, zero),
+      max(trial.shear - (Branch::reach * peaks.shear + trial.friction), zero)};
   }
 
   template <typename Branch>
@@ -271,13 +287,12 @@ namespace rift
     Vector3<Number> t = trial.vector;
     if constexpr (!Branch::is_straight)
       {
-        const Number zero{}, reach = zero + Branch::reach;
-        const Number opening = max(trial.normal, zero) / nonzero(peaks.normal);
-        const Number sliding = trial.shear / nonzero(peaks.shear);
-        const Number share   = Branch::secant(min(sliding, reach));
-        t[0]                 = t[0] * Branch::secant(min(opening, reach));
-        t[1]                 = t[1] * share;
-        t[2]                 = t[2] * share;
+        const Number opening =
+          max(trial.normal, Number{}) / nonzero(peaks.normal);
+        const Number share = Branch::secant(trial.shear / nonzero(peaks.shear));
+        t[0]               = t[0] * Branch::secant(opening);
+        t[1]               = t[1] * share;
+        t[2]               = t[2] * share;
       }
     return t;
   }
@@ -289,8 +304,7 @@ namespace rift
   {
     Number factor = Number{} + .5;
     if constexpr (!Branch::is_straight)
-      factor = Branch::energy(
-        min(max(trial, Number{}) / nonzero(peak), Number{} + Branch::reach));
+      factor = Branch::energy(max(trial, Number{}) / nonzero(peak));
     return trial * trial * factor;
   }
 
@@ -302,8 +316,12 @@ namespace rift
     if constexpr (Branch::is_straight)
       return traction;
     else
-      return peak *
-             Branch::ratio_of(min(traction / nonzero(peak), Number{} + 1.));
+      {
+        const Number share = min(traction / nonzero(peak), Number{} + 1.);
+        return select(traction > peak,
+                      traction + peak,
+                      peak * Branch::ratio_of(share));
+      }
   }
 
   template <typename Branch>
@@ -316,10 +334,9 @@ namespace rift
     Mask                            &yields)
   {
     const Trial<Number> trial(constants, jump);
-    const Peaks<Number> peaks = {constants.tensile_strength,
-                                 cohesion + trial.friction};
-    yields                    = (trial.normal > Branch::reach * peaks.normal) |
-             (trial.shear > Branch::reach * peaks.shear);
+    const Peaks<Number> peaks = {constants.tensile_strength, cohesion};
+    const Peaks<Number> over  = beyond(trial, peaks);
+    yields = (over.normal > Number{}) | (over.shear > Number{});
     return elastic_traction(trial, peaks);
   }
 
@@ -331,11 +348,10 @@ namespace rift
     const CohesiveConstants<Number> &constants)
   {
     const Number           zero{};
-    const Vector3<Number> &t  = point.traction;
-    const Number friction     = constants.tan_friction_angle * max(-t[0], zero);
-    const Peaks<Number> peaks = peaks_of(point, constants, friction);
-    const Number        shear = sqrt(t[1] * t[1] + t[2] * t[2]);
-    const Number        normal =
+    const Vector3<Number> &t     = point.traction;
+    const Peaks<Number>    peaks = peaks_of(point, constants);
+    const Number           shear = sqrt(t[1] * t[1] + t[2] * t[2]);
+    const Number           normal =
       select(t[0] > zero, trial_of(max(t[0], zero), peaks.normal), t[0]);
     return (trial_energy(normal, peaks.normal) +
             trial_energy(trial_of(shear, peaks.shear), peaks.shear)) /
@@ -349,14 +365,13 @@ namespace rift
                               const CohesiveConstants<Number> &constants,
                               const Vector3<Number>           &jump) const
   {
-    const Number          zero{};
-    Vector3<Number>       former = point.traction;
-    const Trial<Number>   trial(constants, jump - point.offset);
-    const Peaks<Number>   before = peaks_of(point, constants, trial.friction);
-    const Number over_normal     = trial.normal - Branch::reach * before.normal;
-    const Number over_shear      = trial.shear - Branch::reach * before.shear;
-    const auto   yields          = (over_normal > zero) | (over_shear > zero);
-    point.traction               = elastic_traction(trial, before);
+    const Number        zero{};
+    Vector3<Number>     former = point.traction;
+    const Trial<Number> trial(constants, jump - point.offset);
+    const Peaks<Number> before = peaks_of(point, constants);
+    const Peaks<Number> over   = beyond(trial, before);
+    const auto          yields = (over.normal > zero) | (over.shear > zero);
+    point.traction             = elastic_traction(trial, before);
     if (!any(yields))
       return {zero, zero};
     // Intact points have not been followed: they come from the peak.
@@ -368,19 +383,15 @@ namespace rift
 
     const CohesivePoint<Number> elastic    = point;
     const Number                compliance = 1. / constants.stiffness;
-    soften(point,
-           constants,
-           compliance * max(over_normal, zero),
-           compliance * max(over_shear, zero));
+    soften(point, constants, compliance * over.normal, compliance * over.shear);
 
     // The branch ends at the peaks that are left; the rest is irreversible.
-    const Peaks<Number> after = peaks_of(point, constants, trial.friction);
-    const Number        opening =
-      compliance * max(trial.normal - Branch::reach * after.normal, zero);
-    const Number slip =
-      compliance * max(trial.shear - Branch::reach * after.shear, zero);
-    const Number    slip_share = slip / nonzero(trial.shear);
-    Vector3<Number> flow       = {{opening, zero, zero}};
+    const Peaks<Number> after      = peaks_of(point, constants);
+    const Peaks<Number> over_after = beyond(trial, after);
+    const Number        opening    = compliance * over_after.normal;
+    const Number        slip       = compliance * over_after.shear;
+    const Number        slip_share = slip / nonzero(trial.shear);
+    Vector3<Number>     flow       = {{opening, zero, zero}};
     for (unsigned int d = 1; d < dim; ++d)
       flow[d] = slip_share * trial.vector[d];
     point.offset += flow;
@@ -396,8 +407,8 @@ namespace rift
     t[0]            = select(open, zero, t[0]);
 
     // By the trapezoidal rule, as the central differences do their work, and
-    // what a branch releases as its peak falls: what is left of that work is
-    // exactly the change of the elastic energy. Of what sliding takes, the
+    // what a branch releases as its peak falls: what is left of that work is the
+    // change of the elastic energy (on a straight branch exactly). Of what sliding takes, the
     // cohesion has its own and friction the rest. That a failed point leaves
     // contact in the midst of a step is an error of the time integration, not
     // fracture: it belongs to the residual.
@@ -406,8 +417,8 @@ namespace rift
                                      .5 * (t[0] + former[0]) * opening);
     const Number sliding =
       .5 * ((t[1] + former[1]) * flow[1] + (t[2] + former[2]) * flow[2]);
-    const Number cohesion    = before.shear + after.shear - 2. * trial.friction;
-    const Number of_cohesion = min(.5 * cohesion * slip, max(sliding, zero));
+    const Number of_cohesion =
+      min(.5 * (before.shear + after.shear) * slip, max(sliding, zero));
     Dissipation<Number> dissipation;
     dissipation.friction = select((trial.normal < zero) | (former[0] < zero),
                                   sliding - of_cohesion,
