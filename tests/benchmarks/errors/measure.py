@@ -137,14 +137,27 @@ def crossing(time, values, level):
     return np.interp(level, values[[before, after]], time[[before, after]])
 
 
-def arrival_error(problem, results):
-    """How much later (+) than in theory the velocity at the probe reaches half of
-    the largest exact value, over the time of travel."""
+def velocity_at_probe(problem, results):
+    """Times and velocities along the problem's direction."""
     probes = read_table(os.path.join(results, "probes.csv"))
     values = sum(problem.probe_direction[d] * probes[f"{axis} [m/s]"]
                  for d, axis in enumerate("xyz") if f"{axis} [m/s]" in probes)
+    return probes["time [s]"], values
+
+
+def arrival_error(problem, results):
+    """How much later (+) than in theory the velocity at the probe reaches half of
+    the largest exact value, over the time of travel."""
+    measured_time, values = velocity_at_probe(problem, results)
     time = np.linspace(0, problem.end_time, 20 * N_ROWS)
     exact = problem.velocity(np.array([problem.probe]), time) @ problem.probe_direction
     half = 0.5 * exact.max()
-    late = crossing(probes["time [s]"], values, half) - crossing(time, exact, half)
+    late = crossing(measured_time, values, half) - crossing(time, exact, half)
     return late / problem.travel_time
+
+
+def fitted_delay(time, values, exact):
+    """By how much later `exact` fits the values best (least squares), s; for delays
+    that are short beside the pulse."""
+    slope = np.gradient(exact, time)
+    return -slope @ (values - exact) / (slope @ slope)

@@ -136,6 +136,14 @@ class Rod:
         self.wavenumber = self.omega / np.sqrt(
             self.speed**2 - 0.5 * (nu * self.radius * self.omega)**2)
 
+    def correction(self):
+        """By which a long wave is slower than sqrt(E/rho)."""
+        return (ROCK["poissons_ratio"] * np.pi * self.radius / self.wavelength)**2
+
+    def without_dispersion(self, t):
+        """The velocity at the probe if all waves had the speed sqrt(E/rho)."""
+        return pulse_value(t - self.travel_time, self.duration, self.amplitude)
+
     def transform(self, x, t, factor):
         """The series with its terms times a factor, at places x and a time, or at
         a place and several times."""
