@@ -3,14 +3,15 @@
 sizes, without cohesive elements, with the extrinsic and with the intrinsic model.
 
 Writes WORK/time_against_error.csv; runs that are in it already are not made again,
-so that the program can be stopped and called again. With --doc, draws the figures
-and puts the tables between the markers of DOC/time_against_error.md.
+so that the program can be stopped and called again. With --doc, draws the figure, puts
+the tables between the markers of DOC/time_against_error.md, and copies the .csv there.
 
 Needs gmsh and, for Python, numpy and matplotlib.
 """
 import argparse
 import csv
 import os
+import shutil
 import time
 
 from errors import measure, problems, report
@@ -172,6 +173,7 @@ def main():
         remarks = [same_without_insertion(arguments, cases["bar"]), "",
                    rod_speed(arguments, cases["rod"])]
         report.write(rows, cases, list(MODELS), remarks, arguments.doc)
+        shutil.copy(table, arguments.doc)
 
 
 if __name__ == "__main__":

@@ -20,7 +20,7 @@ N_ROWS = 400
 NOT_COUNTED = ("setup", "ledger and output")
 
 # Seconds in which a program is not always left alone.
-LONG = 0.2
+LONG = 0.02
 
 
 def call(command):
