@@ -49,7 +49,7 @@ def read_rows(path):
 def append_row(path, row):
     is_new = not os.path.exists(path)
     with open(path, "a", newline="") as file:
-        writer = csv.DictWriter(file, COLUMNS)
+        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
         if is_new:
             writer.writeheader()
         writer.writerow({name: f"{value:.6g}" if isinstance(value, float) else value

@@ -120,7 +120,7 @@ def draw(rows, cases, models, path):
             axis.set_title(f"{problem.title}: {title}", fontsize=8)
         line[0].set_ylabel("relative error")
     for axis in axes[-1]:
-        axis.set_xlabel("wall time of the steps (s)")
+        axis.set_xlabel("time of the steps (s)")
     handles = axes[0, 0].get_legend_handles_labels()
     figure.legend(*handles, loc="upper center", ncol=len(models), fontsize=8)
     figure.tight_layout(rect=(0, 0, 1, 1 - 0.25 / figure.get_figheight()))
