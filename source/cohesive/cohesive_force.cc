@@ -191,8 +191,14 @@ namespace rift
     Simd           largest{};
     for (const Vector3<Simd> &jump : kinematics.jumps)
       largest = max(largest, dot(jump, jump));
+    // Less in a thin face, whose mid-plane would collapse.
+    const Vector3<Simd> edge_3  = batch.edges[1] - batch.edges[0];
+    const Simd          longest = max(max(dot(batch.edges[0], batch.edges[0]),
+                                 dot(batch.edges[1], batch.edges[1])),
+                             dot(edge_3, edge_3));
+    const Simd size = batch.area * min(broadcast(1), 4. * batch.area / longest);
     const SimdMask is_distant =
-      (largest > release_distance * release_distance * batch.area) &
+      (largest > release_distance * release_distance * size) &
       (batch.area > 0.);
     if (!any(is_distant))
       return;

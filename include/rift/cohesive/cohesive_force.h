@@ -269,7 +269,7 @@ namespace rift
 
     /**
      * Lets go of faces whose sides have moved apart by `release_distance`
-     * times the root of their area, since an element between them says nothing
+     * times the root of their area (or their least height), since an element between them says nothing
      * of overlap once they have turned against each other. What is left of
      * their elastic energy counts as used up. A face let go of has no area.
      */
