@@ -11,16 +11,6 @@ namespace rift
 {
   namespace
   {
-    double
-    face_area(const Topology          &topology,
-              const ReferenceCellData &reference,
-              const FaceIndex          face)
-    {
-      const Face &f = topology.faces[face];
-      return norm(
-        reference_area_vector(reference, f.cells[0], f.local_faces[0]));
-    }
-
     /**
      * Of a matrix without negative entries, from above: for any vector x > 0 no
      * eigenvalue exceeds the largest (A x)_i / x_i (Collatz and Wielandt). The
@@ -84,7 +74,7 @@ namespace rift
                                       densities[material]);
           smallest = std::min(smallest, mass * (frequency_limit - of_cell) / 3);
         }
-      return 1.5 * smallest / face_area(topology, reference, face);
+      return 1.5 * smallest / reference_area(topology, reference, face);
     };
   }
 
@@ -147,7 +137,7 @@ namespace rift
         if (face == invalid_index)
           continue;
         const double of_face =
-          (*this)(face)*face_area(topology, reference, face) / (6 * mass);
+          (*this)(face)*reference_area(topology, reference, face) / (6 * mass);
         for (const unsigned int i : face_corners[local])
           for (const unsigned int j : face_corners[local])
             matrix[i][j] += i == j ? 2 * of_face : of_face;

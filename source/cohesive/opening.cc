@@ -140,9 +140,9 @@ namespace rift
                                   state.reference[batch.minus[0][lane]][d];
     const FaceStrength       strength  = strengths.strength(index);
     CohesiveConstants<Simd> &constants = batch.constants;
-    batch.area[lane]                   = reference_area(index);
-    batch.cohesion[lane]               = strength.cohesion;
-    constants.stiffness[lane]          = slope(index);
+    batch.area[lane]          = reference_area(topology, reference, index);
+    batch.cohesion[lane]      = strength.cohesion;
+    constants.stiffness[lane] = slope(index);
     constants.tensile_strength[lane]   = strength.tensile_strength;
     constants.tan_friction_angle[lane] = strength.tan_friction_angle;
     if (batch.memory != invalid_index)
@@ -173,14 +173,6 @@ namespace rift
                           part_of_fracture);
     for (unsigned int q = 0; q < n_face_points; ++q)
       set_point(cohesive_faces.memories[batch.memory], q, lane, point);
-  }
-
-  double
-  CohesiveForce::reference_area(const FaceIndex index) const
-  {
-    const Face &face = topology.faces[index];
-    return norm(
-      reference_area_vector(reference, face.cells[0], face.local_faces[0]));
   }
 
   std::vector<OpeningCorner>
@@ -283,7 +275,7 @@ namespace rift
     for (const Opening &opening : parting.openings)
       {
         const auto [face, corner, minus, plus] = opening;
-        const double area                      = reference_area(face);
+        const double area = reference_area(topology, reference, face);
         matrix[minus * n + minus] += area;
         matrix[plus * n + plus] += area;
         matrix[minus * n + plus] -= area;
@@ -311,7 +303,7 @@ namespace rift
     for (const Opening &opening : parting.openings)
       shares.push_back({opening.face,
                         opening.corner,
-                        reference_area(opening.face) *
+                        reference_area(topology, reference, opening.face) *
                           (lambda[opening.minus] - lambda[opening.plus])});
   }
 

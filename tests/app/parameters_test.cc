@@ -280,8 +280,8 @@ TEST(Reference, NamesUnitsChoicesAndDefaults)
                            "density. Must be set. |\n"),
             std::string::npos);
   EXPECT_NE(out.str().find("| Safety factor | `0.7` | 1 |"), std::string::npos);
-  EXPECT_NE(
-    out.str().find("| Cohesive model | `none` |  | none, extrinsic or intrinsic |"),
-    std::string::npos);
+  EXPECT_NE(out.str().find(
+              "| Cohesive model | `none` |  | none, extrinsic or intrinsic |"),
+            std::string::npos);
   EXPECT_NE(out.str().find("## Probe NAME\n"), std::string::npos);
 }

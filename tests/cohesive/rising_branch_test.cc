@@ -88,7 +88,8 @@ TEST(RisingBranch, SoftensOverTheJumpBeyondThePeak)
     }
 }
 
-// As in the literature: the fracture energy and 2/3 of strength times peak jump.
+// As in the literature: the fracture energy and 2/3 of strength times jump at
+// the peak.
 TEST(RisingBranch, SeparationTakesTheFractureEnergyAndThatOfTheBranch)
 {
   Intrinsic    opening, sliding;

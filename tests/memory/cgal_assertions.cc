@@ -5,5 +5,6 @@ namespace CGAL
 {
   void
   assertion_fail(const char *, const char *, int, const char *)
-  {}
+  {
+  }
 } // namespace CGAL

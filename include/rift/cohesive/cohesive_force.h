@@ -108,7 +108,8 @@ namespace rift
      *   acceleration of a component of one: that is then the common one, and
      *   the grip takes what is left of the balance.
      * @return the bond forces, shared over the faces between the nodes such
-     *   that the mean square of traction is smallest: what start_openings() needs at the end of the step.
+     *   that the mean square of traction is smallest: what start_openings()
+     *   needs at the end of the step.
      */
     std::vector<OpeningCorner>
     hold_partings(State &state, const PrescribedAcceleration &prescribed);
@@ -246,9 +247,6 @@ namespace rift
          const OpeningCorner *first,
          const OpeningCorner *last);
 
-    double
-    reference_area(FaceIndex face) const;
-
     /** Reads the nodes of an open face from the topology. */
     void
     update_face(FaceIndex face);
@@ -268,10 +266,11 @@ namespace rift
     note_failures(std::size_t batch_number, double time);
 
     /**
-     * Lets go of faces whose sides have moved apart by `release_distance`
-     * times the root of their area (or their least height), since an element between them says nothing
-     * of overlap once they have turned against each other. What is left of
-     * their elastic energy counts as used up. A face let go of has no area.
+     * Lets go of faces with damage whose sides have moved apart by
+     * `release_distance` times the root of their area (or their least height,
+     * where that is less), since an element between them says nothing of
+     * overlap once they have turned against each other. What is left of their
+     * elastic energy counts as used up. A face let go of has no area.
      */
     void
     release_distant_faces(std::size_t           batch_number,
@@ -299,7 +298,6 @@ namespace rift
     const FaceQuadrature     quadrature;
 
     CohesiveFaces cohesive_faces;
-
 
     /** Index in cohesive_faces of each interior face, if it has one. */
     std::vector<std::uint32_t> index_of_face;

@@ -54,6 +54,16 @@ namespace rift
     return (-3. * batch.volume[lane]) * batch.gradient(local_face, lane);
   }
 
+  /** Area of an interior face in the undeformed body, m^2. */
+  inline double
+  reference_area(const Topology          &topology,
+                 const ReferenceCellData &data,
+                 const FaceIndex          face)
+  {
+    const Face &f = topology.faces[face];
+    return norm(reference_area_vector(data, f.cells[0], f.local_faces[0]));
+  }
+
   /**
    * Mass that the cells around a node lump to it, kg: in ascending order of
    * the cells, so that it is the same whenever and wherever it is summed.
