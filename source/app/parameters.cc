@@ -241,11 +241,7 @@ namespace rift
         << "materials:  " << names(parameters.materials) << '\n'
         << "boundaries: " << names(parameters.boundaries) << '\n'
         << "probes:     " << names(parameters.probes) << '\n'
-        << "fracture:   "
-        << (parameters.cohesive.model == CohesiveParameters::Model::none ?
-              "none" :
-              "extrinsic")
-        << '\n'
+        << "fracture:   " << to_string(parameters.cohesive.model) << '\n'
         << "end time:   " << short_text(parameters.time.end_time) << " s\n"
         << "output:     " << parameters.output.directory << '\n';
   }

@@ -4,6 +4,7 @@
 #include <rift/base/parameter_declarations.h>
 #include <rift/cohesive/cohesive_parameters.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace rift
@@ -12,15 +13,10 @@ namespace rift
   {
     const char *const section = "Fracture";
 
-    CohesiveParameters::Model
-    read_model(const std::string &name)
-    {
-      if (name == "extrinsic")
-        return CohesiveParameters::Model::extrinsic;
-      if (name == "intrinsic")
-        return CohesiveParameters::Model::intrinsic;
-      return CohesiveParameters::Model::none;
-    }
+    /** In the order of CohesiveParameters::Model. */
+    const std::vector<std::string> model_names = {"none",
+                                                  "extrinsic",
+                                                  "intrinsic"};
 
     /** "10 E" or a number in Pa. */
     Penalty
@@ -41,6 +37,12 @@ namespace rift
       return penalty;
     }
   } // namespace
+
+  std::string
+  to_string(const CohesiveParameters::Model model)
+  {
+    return model_names[static_cast<std::size_t>(model)];
+  }
 
   void
   CohesiveParameters::declare(dealii::ParameterHandler &prm)
@@ -89,7 +91,10 @@ namespace rift
   {
     CohesiveParameters result;
     prm.enter_subsection(section);
-    result.model            = read_model(prm.get("Cohesive model"));
+    result.model            = static_cast<Model>(std::find(model_names.begin(),
+                                                model_names.end(),
+                                                prm.get("Cohesive model")) -
+                                      model_names.begin());
     result.penalty          = read_penalty(prm.get("Cohesive penalty"));
     result.stiffness_factor = prm.get_double("Stiffness factor");
     result.seed = static_cast<unsigned int>(prm.get_integer("Seed"));

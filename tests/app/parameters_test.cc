@@ -270,6 +270,16 @@ TEST_F(ParametersTest, SummaryNamesWhatTheSceneHas)
               "fracture:   extrinsic\n"
               "end time:   0.0002 s\n"
               "output:     somewhere else\n");
+
+  std::string       scene = full_scene;
+  const std::string entry = "  set Stiffness factor = 0.5\n";
+  scene.erase(scene.find(entry), entry.size());
+  std::ostringstream intrinsic;
+  print_summary(intrinsic,
+                read_parameters(write("full.prm", scene),
+                                {"Fracture/Cohesive model=intrinsic"}));
+  EXPECT_NE(intrinsic.str().find("fracture:   intrinsic\n"),
+            std::string::npos);
 }
 
 TEST(Reference, NamesUnitsChoicesAndDefaults)

@@ -39,10 +39,16 @@ attempt() {
   code=$?
 }
 
+# Whether the last attempt has been killed. mpirun may end with another code: it
+# has crashed while it cleared up after a killed rank.
+was_killed() {
+  [ $code = 137 ] || grep -q "exited on signal 9 (Killed)" said
+}
+
 code=137
-while [ $n_kills -lt "$repetitions" ] || [ $code = 137 ]; do
+while [ $n_kills -lt "$repetitions" ] || was_killed; do
   attempt
-  if [ $code = 137 ]; then
+  if was_killed; then
     n_kills=$((n_kills + 1))
     ls run/checkpoint/*.tmp >/dev/null 2>&1 && n_unfinished=$((n_unfinished + 1))
     continue

@@ -60,6 +60,10 @@ namespace rift
     std::vector<InertEntries>
     inert_entries() const;
   };
+
+  /** The name of a model as in the .prm. */
+  std::string
+  to_string(CohesiveParameters::Model model);
 } // namespace rift
 
 #endif

@@ -1,0 +1,62 @@
+#ifndef rift_contact_broad_phase_h
+#define rift_contact_broad_phase_h
+
+#include <rift/base/vector3.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace rift
+{
+  /** A box along the axes, m. */
+  struct Box
+  {
+    Vector3<double> lower, upper;
+  };
+
+  /** Whether two boxes have a point in common. */
+  inline bool
+  touch(const Box &a, const Box &b)
+  {
+    bool result = true;
+    for (unsigned int d = 0; d < 3; ++d)
+      result &= a.lower[d] <= b.upper[d] && b.lower[d] <= a.upper[d];
+    return result;
+  }
+
+  /** Numbers of two boxes, the smaller first. */
+  struct BoxPair
+  {
+    std::uint32_t first, second;
+  };
+
+  inline bool
+  operator<(const BoxPair &a, const BoxPair &b)
+  {
+    return a.first != b.first ? a.first < b.first : a.second < b.second;
+  }
+
+  inline bool
+  operator==(const BoxPair &a, const BoxPair &b)
+  {
+    return a.first == b.first && a.second == b.second;
+  }
+
+  /**
+   * All pairs of boxes that touch, in ascending order. The time is linear in
+   * the number of boxes and of pairs, also where large and small ones lie
+   * side by side: boxes are put into grids, one for each power of two of their
+   * size, and looked for in the 27 cells around in the grid of their own size
+   * and in those of larger ones (the hierarchical form of the search of
+   * Munjiza, The Combined Finite-Discrete Element Method, chapter 3). Cells in
+   * which there is nothing take no memory.
+   *
+   * @param boxes with finite bounds.
+   * @param largest_number of pairs; the search stops when there are more, so
+   *   that memory stays bounded, and the result is longer than this.
+   */
+  std::vector<BoxPair>
+  find_touching(const std::vector<Box> &boxes, std::size_t largest_number);
+} // namespace rift
+
+#endif

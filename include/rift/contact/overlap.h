@@ -1,0 +1,38 @@
+#ifndef rift_contact_overlap_h
+#define rift_contact_overlap_h
+
+#include <rift/base/vector3.h>
+
+namespace rift
+{
+  /** The corners of a tetrahedron of positive volume, m. */
+  using Tetrahedron = std::array<Vector3<double>, 4>;
+
+  /** What two tetrahedra A and B have in common. */
+  struct Overlap
+  {
+    /**
+     * Munjiza's potentials integrated over the overlap, m^3:
+     * sum over A and B of the least of the four barycentric coordinates, which
+     * is zero on the surface of a tetrahedron and 1/4 at its centroid
+     * (doc/theory.md, eq. 22). Times the penalty it is the contact energy.
+     */
+    double potential = 0;
+
+    /** Derivatives of the potential by the corners of A and of B, m^2. They
+     * are what pulls them together; as a whole they have neither force nor
+     * torque. */
+    std::array<Vector3<double>, 4> gradient_a{}, gradient_b{};
+
+    /** Volume, m^3, and its centroid, m. */
+    double          volume = 0;
+    Vector3<double> centroid{};
+  };
+
+  /** Intersects two tetrahedra, exactly but for rounding. All is zero if they
+   * have no volume in common. */
+  Overlap
+  overlap(const Tetrahedron &a, const Tetrahedron &b);
+} // namespace rift
+
+#endif
