@@ -36,6 +36,7 @@ namespace rift
          "subsection is free."},
         {"Body", "What acts on every point of the body."},
         {"Fracture", "How cracks are computed."},
+        {"Contact", "What happens where surfaces meet."},
         {"Time", "The time steps."},
         {"Output", "What is written, and where."},
         {"Checkpoint",

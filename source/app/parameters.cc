@@ -22,6 +22,7 @@ namespace rift
         result.insert(result.end(), more.begin(), more.end());
       };
       add(parameters.cohesive.inert_entries());
+      add(parameters.contact.inert_entries());
       add(parameters.time.inert_entries());
       for (const ProbeParameters &probe : parameters.probes)
         add(probe.inert_entries());
@@ -74,6 +75,10 @@ namespace rift
           for (const MaterialParameters &material : materials)
             material.check_breakable();
         }
+      std::vector<std::string> names;
+      for (const MaterialParameters &material : materials)
+        names.push_back(material.name);
+      parameters.contact.check_pairs(names);
     }
 
     void
@@ -86,6 +91,7 @@ namespace rift
       for (const BoundaryParameters &boundary : parameters.boundaries)
         boundary.check();
       parameters.cohesive.check();
+      parameters.contact.check();
       parameters.time.check();
       parameters.output.check();
       parameters.checkpoint.check();
@@ -107,6 +113,7 @@ namespace rift
           BoundaryParameters::parse(prm, name, scene));
       result.body_force = BodyForceParameters::parse(prm);
       result.cohesive   = CohesiveParameters::parse(prm);
+      result.contact    = ContactParameters::parse(prm);
       result.time       = TimeParameters::parse(prm);
       result.output     = OutputParameters::parse(prm);
       result.checkpoint = CheckpointParameters::parse(prm);
@@ -184,6 +191,7 @@ namespace rift
       BoundaryParameters::declare(prm, name);
     BodyForceParameters::declare(prm);
     CohesiveParameters::declare(prm);
+    ContactParameters::declare(prm);
     TimeParameters::declare(prm);
     OutputParameters::declare(prm);
     CheckpointParameters::declare(prm);
@@ -242,6 +250,8 @@ namespace rift
         << "boundaries: " << names(parameters.boundaries) << '\n'
         << "probes:     " << names(parameters.probes) << '\n'
         << "fracture:   " << to_string(parameters.cohesive.model) << '\n'
+        << "contact:    " << (parameters.contact.is_active ? "yes" : "no")
+        << '\n'
         << "end time:   " << short_text(parameters.time.end_time) << " s\n"
         << "output:     " << parameters.output.directory << '\n';
   }

@@ -17,6 +17,18 @@ namespace rift
                   2 * 4 + 6 * 8 + n_face_points * 14 * 8);
   };
 
+  template <>
+  struct HasPlainBytes<ContactPairRecord> : std::true_type
+  {
+    static_assert(sizeof(ContactPairRecord) == 2 * 4 + 5 * 8);
+  };
+
+  template <>
+  struct HasPlainBytes<ContactCellRecord> : std::true_type
+  {
+    static_assert(sizeof(ContactCellRecord) == 2 * 4 + n_corners * dim * 8);
+  };
+
   namespace
   {
     template <typename T>
@@ -86,6 +98,8 @@ namespace rift
     file.write("nodes", nodes);
     file.write("cut faces", cut_faces);
     file.write("cohesive faces", cohesive_faces);
+    file.write("contact pairs", contact_pairs);
+    file.write("contact cells", contact_cells);
     file.write("hot cells", hot_cells);
     file.write("resting cells", resting_cells);
   }
@@ -96,6 +110,8 @@ namespace rift
     append(nodes, file.read<NodeRecord>("nodes"));
     append(cut_faces, file.read<CutFaceRecord>("cut faces"));
     append(cohesive_faces, file.read<CohesiveFaceRecord>("cohesive faces"));
+    append(contact_pairs, file.read<ContactPairRecord>("contact pairs"));
+    append(contact_cells, file.read<ContactCellRecord>("contact cells"));
     append(hot_cells, file.read<GlobalCellIndex>("hot cells"));
     append(resting_cells, file.read<GlobalCellIndex>("resting cells"));
   }
@@ -104,7 +120,8 @@ namespace rift
   save_body(const Discretization &discretization,
             const InternalForce  &internal_force,
             const Activity       &activity,
-            const CohesiveForce  *cohesive_force)
+            const CohesiveForce  *cohesive_force,
+            const ContactForce   *contact)
   {
     const Topology &topology = discretization.topology;
     SavedState      saved;
@@ -117,6 +134,11 @@ namespace rift
            static_cast<std::uint32_t>(topology.face_states[face])});
     if (cohesive_force != nullptr)
       saved.cohesive_faces = cohesive_force->records();
+    if (contact != nullptr)
+      {
+        saved.contact_pairs = contact->pair_records();
+        saved.contact_cells = contact->cell_records();
+      }
     for (const CellIndex cell : internal_force.hot_cells())
       if (topology.owns_cell(cell))
         saved.hot_cells.push_back(topology.cell_global_indices[cell]);

@@ -2,7 +2,9 @@
 #include <rift/base/exceptions.h>
 #include <rift/base/number_text.h>
 #include <rift/base/parameter_text.h>
+#include <rift/contact/contact_penalty.h>
 #include <rift/mesh/partition.h>
+#include <rift/solid/cell_frequency.h>
 #include <rift/time_integration/central_difference.h>
 
 #include <algorithm>
@@ -84,6 +86,11 @@ namespace rift
     make_modules();
     if (restart != nullptr)
       restore(*restart);
+    else if (contact)
+      {
+        contact->follow(state());
+        contact->refuse_overlaps(body.materials);
+      }
     step_of_last_agreement = this->state().step;
     first_step             = this->state().step;
     saved_results =
@@ -108,6 +115,8 @@ namespace rift
       }
 
     make_fracture();
+    if (parameters.contact.is_active)
+      make_contact();
     if (viscosity > 0)
       {
         damping.emplace(topology, reference, viscosities);
@@ -167,6 +176,57 @@ namespace rift
       fracture->force.start_all(state);
   }
 
+  void
+  Simulation::make_contact()
+  {
+    const auto &[topology, reference, state, exchange] = body.discretization;
+    ContactForce::Interface interface;
+    interface.penalty = [&](const CellIndex cell) {
+      const ReferenceBatch &batch    = reference[cell / batch_size];
+      const unsigned int    lane     = cell % batch_size;
+      const auto            material = topology.material(cell);
+      const double          of_cell  = largest_frequency_squared(batch,
+                                                       lane,
+                                                       stiffnesses[material],
+                                                       densities[material]) +
+                             (penalty_frequency ? penalty_frequency(cell) : 0);
+      return largest_penalty(batch,
+                             lane,
+                             densities[material],
+                             critical.frequency_squared - of_cell);
+    };
+    interface.mass = [&](const CellIndex cell) {
+      return densities[topology.material(cell)] *
+             reference[cell / batch_size].volume[cell % batch_size];
+    };
+    interface.damping  = parameters.contact.damping;
+    interface.friction = [this](const std::uint32_t a, const std::uint32_t b) {
+      return parameters.contact.friction_of(body.materials[a].name,
+                                            body.materials[b].name);
+    };
+    if (fracture)
+      {
+        CohesiveForce &force = fracture->force;
+        force.leave_failed_faces_to_contact();
+        interface.is_held = [&force](const FaceIndex face) {
+          return force.holds(face);
+        };
+        interface.n_crack_events     = [&force] { return force.n_events(); };
+        interface.for_each_open_face = [&force](const auto &f) {
+          for (std::size_t i = 0; i < force.faces().size(); ++i)
+            if (force.has_opened(i))
+              f(force.faces().infos[i].face);
+        };
+      }
+    else
+      {
+        interface.is_held            = [](FaceIndex) { return true; };
+        interface.n_crack_events     = [] { return std::uint64_t(0); };
+        interface.for_each_open_face = [](const auto &) {};
+      }
+    contact.emplace(topology, state, body.communicator, std::move(interface));
+  }
+
   PenaltySlopes
   Simulation::penalty_slopes() const
   {
@@ -181,27 +241,29 @@ namespace rift
   void
   Simulation::choose_time_step(const Restart *restart)
   {
+    const bool is_extrinsic =
+      parameters.cohesive.model == CohesiveParameters::Model::extrinsic;
     std::vector<MaterialLimits> limits;
     for (std::size_t i = 0; i < body.materials.size(); ++i)
-      limits.push_back(
-        {body.materials[i].name,
-         stiffnesses[i],
-         densities[i],
-         body.materials[i].viscosity,
-         parameters.cohesive.model == CohesiveParameters::Model::extrinsic &&
-             body.materials[i].breakable ?
-           parameters.cohesive.stiffness_factor :
-           0});
-    CohesiveFrequency penalty;
+      limits.push_back({body.materials[i].name,
+                        stiffnesses[i],
+                        densities[i],
+                        body.materials[i].viscosity,
+                        std::max(is_extrinsic && body.materials[i].breakable ?
+                                   parameters.cohesive.stiffness_factor :
+                                   0,
+                                 parameters.contact.is_active ?
+                                   parameters.contact.stiffness_factor :
+                                   0)});
     if (parameters.cohesive.model == CohesiveParameters::Model::intrinsic)
-      penalty = [slopes = penalty_slopes()](const CellIndex cell) {
+      penalty_frequency = [slopes = penalty_slopes()](const CellIndex cell) {
         return slopes.frequency_squared(cell);
       };
     critical = critical_time_step(body.discretization.topology,
                                   body.discretization.reference,
                                   limits,
                                   body.communicator,
-                                  penalty);
+                                  penalty_frequency);
 
     const TimeParameters &time = parameters.time;
     dt                         = time.time_step > 0 ? time.time_step :
@@ -267,7 +329,12 @@ namespace rift
         timer.stop("cohesive forces");
       }
 
-    // 4. Loads and damping
+    // 4. Contact, loads and damping
+    if (contact)
+      {
+        contact->add_to(state, activity, state.step > 0 ? dt : 0);
+        timer.stop("contact");
+      }
     for (SurfaceLoad &load : surface_loads)
       load.add_to(state, activity);
     if (body_force)
@@ -314,6 +381,11 @@ namespace rift
     // 9. Nodes of ghost cells follow those of their owners
     follow_neighbours(change.splits, openings);
     timer.stop("exchange");
+    if (contact)
+      {
+        contact->follow(state);
+        timer.stop("contact");
+      }
 
     // 10. Faces that begin to open take over the forces that held the nodes
     if (fracture)

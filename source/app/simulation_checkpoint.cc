@@ -90,8 +90,10 @@ namespace rift
             continue;
           restart.time_step = file.read_value<double>("time step");
           restart.face_cost = file.read_value<double>("cost of a face");
-          restart.ledger    = file.read_value<EnergyLedger::Record>("ledger");
-          restart.results   = SavedResults::read(file);
+          restart.have_cracks_changed =
+            file.read_value<std::uint64_t>("cracks have changed");
+          restart.ledger  = file.read_value<EnergyLedger::Record>("ledger");
+          restart.results = SavedResults::read(file);
         }
       if (communicator.is_root())
         restart.mesh = unpack_mesh(set.read_mesh().read_text("mesh"));
@@ -112,6 +114,11 @@ namespace rift
     update_surfaces();
     if (fracture)
       fracture->force.restore(state, restart.state.cohesive_faces);
+    if (contact)
+      contact->restore(state,
+                       restart.state.contact_pairs,
+                       restart.state.contact_cells,
+                       restart.have_cracks_changed != 0);
 
     std::vector<CellIndex> hot;
     for (const GlobalCellIndex cell : restart.state.hot_cells)
@@ -142,18 +149,23 @@ namespace rift
       prescribed_motion->work().for_each_sum(add);
     if (damping)
       damping->work().for_each_sum(add);
+    if (contact)
+      contact->for_each_sum(add);
     return sums;
   }
 
   void
   Simulation::write_checkpoint()
   {
-    const std::string directory   = parameters.output.directory;
-    const SavedState  saved       = save_body(body.discretization,
+    const std::string   directory = parameters.output.directory;
+    const SavedState    saved     = save_body(body.discretization,
                                        internal_force,
                                        activity,
-                                       fracture ? &fracture->force : nullptr);
-    const auto        results_now = results.synchronize();
+                                       fracture ? &fracture->force : nullptr,
+                                       contact ? &*contact : nullptr);
+    const std::uint64_t have_cracks_changed =
+      contact && contact->has_changed() ? 1 : 0;
+    const auto results_now = results.synchronize();
     if (!checkpoint_writer)
       checkpoint_writer.emplace(
         directory,
@@ -173,6 +185,7 @@ namespace rift
         file.write("works", digits_of(work_sums()));
         file.write_value("time step", dt);
         file.write_value("cost of a face", face_cost());
+        file.write_value("cracks have changed", have_cracks_changed);
         file.write_value("ledger", ledger.record());
         results_now.write(file);
       });
@@ -192,6 +205,7 @@ namespace rift
     for (const char *stage : {"insertion",
                               "internal forces",
                               "cohesive forces",
+                              "contact",
                               "loads and damping",
                               "kick and drift"})
       busy += timer.seconds_of(stage);

@@ -95,6 +95,8 @@ namespace rift
       faces = fracture->force.count_faces(body.communicator);
     summary.faces_inserted = faces.inserted;
     summary.faces_broken   = faces.failed;
+    if (contact)
+      summary.contact_pairs = contact->count_touching();
     results.finish(snapshot(), summary);
     log.write(
       "Done: " + std::to_string(state().step) + " steps in " +
@@ -135,6 +137,12 @@ namespace rift
       }
     if (damping)
       sums.damping = damping->work().sum();
+    if (contact)
+      {
+        sums.contact = contact->energy().elastic;
+        sums.friction.add(contact->energy().friction);
+        sums.damping.add(contact->energy().damping);
+      }
     for (SurfaceLoad &load : surface_loads)
       sums.loads.add(load.work().sum());
     if (prescribed_motion)

@@ -193,6 +193,20 @@ namespace rift
       }
   }
 
+  SimdMask
+  CohesiveForce::is_open_and_failed(const std::size_t     b,
+                                    const FaceKinematics &kinematics) const
+  {
+    SimdMask result = broadcast(1) > 0.;
+    for (const Vector3<Simd> &jump : kinematics.jumps)
+      result &= jump[0] > 0.;
+    for (unsigned int lane = 0; lane < batch_size; ++lane)
+      if (b * batch_size + lane >= cohesive_faces.size() ||
+          cohesive_faces.infos[b * batch_size + lane].failure_time < 0)
+        result[lane] = 0;
+    return result;
+  }
+
   void
   CohesiveForce::release_distant_faces(const std::size_t     b,
                                        const FaceKinematics &kinematics,
@@ -208,19 +222,21 @@ namespace rift
                                  dot(batch.edges[1], batch.edges[1])),
                              dot(edge_3, edge_3));
     const Simd size = batch.area * min(broadcast(1), 4. * batch.area / longest);
-    const SimdMask is_distant =
-      (largest > release_distance * release_distance * size) &
-      (batch.area > 0.);
-    if (!any(is_distant))
+    SimdMask   lets_go = largest > release_distance * release_distance * size;
+    if (contact_takes_over)
+      lets_go |= is_open_and_failed(b, kinematics);
+    lets_go &= batch.area > 0.;
+    if (!any(lets_go))
       return;
 
     CohesiveMemory &memory  = cohesive_faces.memories[batch.memory];
     const Simd      elastic = elastic_energy(state, batch);
     for (unsigned int lane = 0; lane < batch.n_faces; ++lane)
-      if (is_distant[lane] && has_opened(b * batch_size + lane))
+      if (lets_go[lane] && has_opened(b * batch_size + lane))
         {
           memory.fracture[lane] += elastic[lane];
           batch.area[lane] = 0;
+          ++event_counter;
           fail(cohesive_faces.infos[b * batch_size + lane], state.time);
         }
   }
@@ -230,6 +246,7 @@ namespace rift
   {
     if (info.failure_time >= 0)
       return;
+    ++event_counter;
     info.failure_time               = time;
     topology.face_states[info.face] = FaceState::broken;
   }
@@ -365,6 +382,14 @@ namespace rift
         result.slip    = memory->points[point].slip[lane];
       }
     return result;
+  }
+
+  bool
+  CohesiveForce::holds(const FaceIndex face) const
+  {
+    const std::uint32_t i = index_of_face[face];
+    return i == invalid_index ||
+           cohesive_faces.batches[i / batch_size].area[i % batch_size] > 0;
   }
 
   bool

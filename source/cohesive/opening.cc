@@ -130,6 +130,7 @@ namespace rift
       }
     index_of_face[index] = static_cast<std::uint32_t>(i);
     cohesive_faces.infos.push_back({index, state.time, -1});
+    ++event_counter;
 
     CohesiveBatch &batch = cohesive_faces.batches.back();
     batch.n_faces        = lane + 1;

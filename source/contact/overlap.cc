@@ -1,6 +1,7 @@
 #include <rift/contact/overlap.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace rift
@@ -161,6 +162,17 @@ namespace rift
       add(simplex, volume, part);
     }
 
+    /** Whether all corners are on the outer side of a face of the other. */
+    bool
+    is_outside(const Simplex &corners)
+    {
+      for (unsigned int plane = 0; plane < 4; ++plane)
+        if (std::none_of(corners.begin(),
+                         corners.end(),
+                         [plane](const Point &p) { return p.in_b[plane] > 0; }))
+          return true;
+      return false;
+    }
     /**
      * Adds the potential of A over the overlap, and its derivatives. A consists
      * of four simplices between the centroid and a face each, in which the
@@ -191,6 +203,8 @@ namespace rift
         {
           Simplex simplex = corners;
           simplex[i]      = centroid;
+          if (is_outside(simplex))
+            continue;
           Part part;
           clip(simplex, a.volume / 4, 0, part);
           if (part.volume == 0)
@@ -202,6 +216,7 @@ namespace rift
           for (unsigned int c = 0; c < 4; ++c)
             {
               whole.moment.in_a[c] += in_a[c];
+              whole.moment.in_b[c] += in_b[c];
               gradient_a[c] -= in_a[c] * a.gradients[i];
               gradient_b[c] +=
                 in_b[c] * a.gradients[i] + in_a[i] * b.gradients[c];
@@ -223,18 +238,31 @@ namespace rift
       return corners;
     }
 
-    /** Whether all corners are on the outer side of a face of the other. */
-    bool
-    is_outside(const Simplex &corners)
+    /** From the face of `a` from which `b` is farthest, m. */
+    double
+    distance_from_faces(const Frame &a, const Tetrahedron &b)
     {
-      for (unsigned int plane = 0; plane < 4; ++plane)
-        if (std::none_of(corners.begin(),
-                         corners.end(),
-                         [plane](const Point &p) { return p.in_b[plane] > 0; }))
-          return true;
-      return false;
+      Coordinates largest;
+      largest.fill(-std::numeric_limits<double>::max());
+      for (const Vector3<double> &x : b)
+        {
+          const Coordinates c = a.coordinates(x);
+          for (unsigned int i = 0; i < 4; ++i)
+            largest[i] = std::max(largest[i], c[i]);
+        }
+      double distance = -std::numeric_limits<double>::max();
+      for (unsigned int i = 0; i < 4; ++i)
+        distance = std::max(distance, -largest[i] / norm(a.gradients[i]));
+      return distance;
     }
   } // namespace
+
+  double
+  separation(const Tetrahedron &a, const Tetrahedron &b)
+  {
+    return std::max(distance_from_faces(Frame(a), b),
+                    distance_from_faces(Frame(b), a));
+  }
 
   Overlap
   overlap(const Tetrahedron &a, const Tetrahedron &b)
@@ -264,7 +292,10 @@ namespace rift
                   result.gradient_a);
     result.volume = part.volume;
     for (unsigned int c = 0; c < 4; ++c)
-      result.centroid += (part.moment.in_a[c] / part.volume) * a[c];
+      {
+        result.weights_a[c] = part.moment.in_a[c] / part.volume;
+        result.weights_b[c] = part.moment.in_b[c] / part.volume;
+      }
     return result;
   }
 } // namespace rift

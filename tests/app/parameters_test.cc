@@ -268,6 +268,7 @@ TEST_F(ParametersTest, SummaryNamesWhatTheSceneHas)
               "boundaries: loaded, side\n"
               "probes:     fspv, middle\n"
               "fracture:   extrinsic\n"
+              "contact:    no\n"
               "end time:   0.0002 s\n"
               "output:     somewhere else\n");
 
@@ -278,8 +279,7 @@ TEST_F(ParametersTest, SummaryNamesWhatTheSceneHas)
   print_summary(intrinsic,
                 read_parameters(write("full.prm", scene),
                                 {"Fracture/Cohesive model=intrinsic"}));
-  EXPECT_NE(intrinsic.str().find("fracture:   intrinsic\n"),
-            std::string::npos);
+  EXPECT_NE(intrinsic.str().find("fracture:   intrinsic\n"), std::string::npos);
 }
 
 TEST(Reference, NamesUnitsChoicesAndDefaults)

@@ -64,12 +64,6 @@ namespace
   private:
     std::mt19937 engine{1};
   };
-
-  double
-  potential(const std::array<Tetrahedron, 2> &pair)
-  {
-    return overlap(pair[0], pair[1]).potential;
-  }
 } // namespace
 
 TEST(Overlap, OfATetrahedronWithItself)
@@ -79,8 +73,11 @@ TEST(Overlap, OfATetrahedronWithItself)
   // The mean of the least coordinate is 1/16: each quarter has a quarter of
   // its largest value, 1/4.
   EXPECT_NEAR(all.potential, 2. / 16 / 6, 1e-15);
-  for (unsigned int d = 0; d < 3; ++d)
-    EXPECT_NEAR(all.centroid[d], .25, 1e-15);
+  for (unsigned int c = 0; c < 4; ++c)
+    {
+      EXPECT_NEAR(all.weights_a[c], .25, 1e-15);
+      EXPECT_NEAR(all.weights_b[c], .25, 1e-15);
+    }
 }
 
 TEST(Overlap, OfFacesThatAreParallel)
@@ -158,28 +155,29 @@ TEST(Overlap, GradientIsThatOfThePotential)
       double size = 0;
       for (unsigned int c = 0; c < 4; ++c)
         size += norm(o.gradient_a[c]) + norm(o.gradient_b[c]);
-      for (unsigned int k = 0; k < 2; ++k)
-        for (unsigned int c = 0; c < 4; ++c)
-          for (unsigned int d = 0; d < 3; ++d)
-            {
-              // Fourth order; the derivative has kinks of its own, so that a
-              // smaller step is not always worse.
-              const auto difference = [&](const double h) {
-                const auto at = [&](const double s) {
-                  auto moved = pair;
-                  moved[k][c][d] += s;
-                  return potential(moved);
-                };
-                return (8 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) /
-                       (12 * h);
-              };
-              const auto &g     = k == 0 ? o.gradient_a : o.gradient_b;
-              double      error = 1;
-              for (const double h : {3e-4, 3e-5})
-                error =
-                  std::min(error, std::abs(difference(h) - g[c][d]) / size);
-              worst = std::max(worst, error);
-            }
+      // Along a random direction of all 24 coordinates; of fourth order. The
+      // derivative has kinks of its own, so that a larger step may be worse.
+      const std::array<Tetrahedron, 2> direction{{make(1), make(1)}};
+      double                           expected = 0;
+      for (unsigned int c = 0; c < 4; ++c)
+        expected += dot(o.gradient_a[c], direction[0][c]) +
+                    dot(o.gradient_b[c], direction[1][c]);
+      const auto at = [&](const double s) {
+        auto moved = pair;
+        for (unsigned int k = 0; k < 2; ++k)
+          for (unsigned int c = 0; c < 4; ++c)
+            moved[k][c] += s * direction[k][c];
+        return overlap(moved[0], moved[1]).potential;
+      };
+      double error = 1;
+      for (const double h : {1e-4, 1e-5})
+        error =
+          std::min(error,
+                   std::abs((8 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) /
+                              (12 * h) -
+                            expected) /
+                     size);
+      worst = std::max(worst, error);
     }
   EXPECT_LT(worst, 1e-6);
 }
@@ -191,14 +189,17 @@ TEST(Overlap, PullsWithoutForceAndTorque)
     {
       const Tetrahedron a = make(1), b = make(1);
       const Overlap     o = overlap(a, b);
-      Vector3<double>   force{}, torque{};
+      Vector3<double>   force{}, torque{}, distance{};
       for (unsigned int c = 0; c < 4; ++c)
         {
+          // Both weights give the same point.
+          distance += o.weights_a[c] * a[c] - o.weights_b[c] * b[c];
           force += o.gradient_a[c] + o.gradient_b[c];
           torque += cross(a[c], o.gradient_a[c]) + cross(b[c], o.gradient_b[c]);
         }
       EXPECT_LT(norm(force), 1e-13);
       EXPECT_LT(norm(torque), 1e-13);
+      EXPECT_LT(norm(distance), 1e-13);
     }
 }
 
@@ -218,5 +219,33 @@ TEST(Overlap, IsZeroWithoutCommonVolume)
       const Overlap o = overlap(unit, other);
       EXPECT_EQ(o.volume, 0);
       EXPECT_EQ(o.potential, 0);
+    }
+}
+
+TEST(Separation, IsADistance)
+{
+  Tetrahedron above = unit;
+  for (auto &x : above)
+    x[2] += 1.25;
+  // A corner of one, a face of the other.
+  EXPECT_NEAR(separation(unit, above), .25, 1e-15);
+  EXPECT_NEAR(separation(above, unit), .25, 1e-15);
+  EXPECT_LE(separation(unit, unit), 0);
+
+  // Never more than the distance of any two points.
+  Generator make;
+  for (unsigned int trial = 0; trial < 2000; ++trial)
+    {
+      const Tetrahedron a = make(1);
+      Tetrahedron       b = make(1);
+      for (auto &x : b)
+        x[0] += 2;
+      double corners = 100;
+      for (const auto &x : a)
+        for (const auto &y : b)
+          corners = std::min(corners, norm(x - y));
+      const double distance = separation(a, b);
+      EXPECT_LE(distance, corners);
+      EXPECT_FALSE(distance > 0 && overlap(a, b).volume > 0);
     }
 }

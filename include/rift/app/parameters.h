@@ -2,6 +2,7 @@
 #define rift_app_parameters_h
 
 #include <rift/cohesive/cohesive_parameters.h>
+#include <rift/contact/contact_parameters.h>
 #include <rift/io/checkpoint_parameters.h>
 #include <rift/io/output_parameters.h>
 #include <rift/loading/loading_parameters.h>
@@ -25,6 +26,7 @@ namespace rift
     std::vector<BoundaryParameters> boundaries;
     BodyForceParameters             body_force;
     CohesiveParameters              cohesive;
+    ContactParameters               contact;
     TimeParameters                  time;
     OutputParameters                output;
     CheckpointParameters            checkpoint;

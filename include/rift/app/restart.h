@@ -33,6 +33,9 @@ namespace rift
 
     /** Time that a cohesive face takes in a step over that of a cell. */
     double face_cost = 0;
+
+    /** ContactForce::has_changed(). */
+    std::uint64_t have_cracks_changed = 0;
   };
 
   /**

@@ -3,6 +3,7 @@
 
 #include <rift/base/exact_sum.h>
 #include <rift/cohesive/cohesive_force.h>
+#include <rift/contact/contact_force.h>
 #include <rift/discretization/discretization.h>
 #include <rift/io/checkpoint_set.h>
 #include <rift/solid/internal_force.h>
@@ -38,6 +39,8 @@ namespace rift
     std::vector<NodeRecord>         nodes;
     std::vector<CutFaceRecord>      cut_faces;
     std::vector<CohesiveFaceRecord> cohesive_faces;
+    std::vector<ContactPairRecord>  contact_pairs;
+    std::vector<ContactCellRecord>  contact_cells;
 
     /** InternalForce::hot_cells(). */
     std::vector<GlobalCellIndex> hot_cells;
@@ -53,12 +56,14 @@ namespace rift
     read(const CheckpointFileReader &file);
   };
 
-  /** @param cohesive_force null without a cohesive model. */
+  /** @param cohesive_force null without a cohesive model.
+   * @param contact null without contact. */
   SavedState
   save_body(const Discretization &discretization,
             const InternalForce  &internal_force,
             const Activity       &activity,
-            const CohesiveForce  *cohesive_force);
+            const CohesiveForce  *cohesive_force,
+            const ContactForce   *contact);
 
   /**
    * Cuts an intact body as it was and moves its nodes to where they were.

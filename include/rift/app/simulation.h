@@ -9,6 +9,7 @@
 #include <rift/base/stage_timer.h>
 #include <rift/cohesive/cohesive_force.h>
 #include <rift/cohesive/insertion.h>
+#include <rift/contact/contact_force.h>
 #include <rift/io/checkpoint_writer.h>
 #include <rift/loading/body_force.h>
 #include <rift/loading/prescribed_motion.h>
@@ -127,6 +128,9 @@ namespace rift
     void
     make_fracture();
 
+    void
+    make_contact();
+
     PenaltySlopes
     penalty_slopes() const;
 
@@ -230,16 +234,18 @@ namespace rift
     InternalForce                   internal_force;
     Activity                        activity;
     std::optional<Fracture>         fracture;
+    std::optional<ContactForce>     contact;
     std::optional<Damping>          damping;
     std::vector<SurfaceLoad>        surface_loads;
     std::optional<BodyForce>        body_force;
     std::optional<PrescribedMotion> prescribed_motion;
 
-    CriticalTimeStep critical{};
-    double           dt        = 0;
-    std::uint64_t    last_step = 0;
-    EnergyLedger     ledger;
-    Results          results;
+    CohesiveFrequency penalty_frequency;
+    CriticalTimeStep  critical{};
+    double            dt        = 0;
+    std::uint64_t     last_step = 0;
+    EnergyLedger      ledger;
+    Results           results;
 
     /** Where the files of a run before have come to. */
     std::optional<SavedResults>     saved_results;

@@ -144,6 +144,28 @@ namespace rift
     CohesiveEnergy
     energy(const State &state) const;
 
+    /**
+     * Has failed faces let go as soon as they are open, since contact then
+     * resists their overlap; see release_distant_faces().
+     */
+    void
+    leave_failed_faces_to_contact()
+    {
+      contact_takes_over = true;
+    }
+
+    /** Whether the sides of a face are bonded, or a cohesive element resists
+     * their overlap. */
+    bool
+    holds(FaceIndex face) const;
+
+    /** Rises whenever a face begins to open, fails or is let go of. */
+    std::uint64_t
+    n_events() const
+    {
+      return event_counter;
+    }
+
     /** Whether a face has begun to open: in the intrinsic model, whether it
      * has damage. */
     bool
@@ -279,6 +301,11 @@ namespace rift
 
     static constexpr double release_distance = .5;
 
+    /** The failed faces of a batch whose corners are all apart. */
+    SimdMask
+    is_open_and_failed(std::size_t           batch_number,
+                       const FaceKinematics &kinematics) const;
+
     /** Notes that a face has failed, if that is new. */
     void
     fail(CohesiveFaceInfo &info, double time);
@@ -298,6 +325,8 @@ namespace rift
     const FaceQuadrature     quadrature;
 
     CohesiveFaces cohesive_faces;
+    bool          contact_takes_over = false;
+    std::uint64_t event_counter      = 0;
 
     /** Index in cohesive_faces of each interior face, if it has one. */
     std::vector<std::uint32_t> index_of_face;

@@ -24,15 +24,23 @@ namespace rift
      * torque. */
     std::array<Vector3<double>, 4> gradient_a{}, gradient_b{};
 
-    /** Volume, m^3, and its centroid, m. */
-    double          volume = 0;
-    Vector3<double> centroid{};
+    /** m^3 */
+    double volume = 0;
+
+    /** The centroid of the overlap as means of the corners of A and of B with
+     * these weights. */
+    std::array<double, 4> weights_a{}, weights_b{};
   };
 
   /** Intersects two tetrahedra, exactly but for rounding. All is zero if they
    * have no volume in common. */
   Overlap
   overlap(const Tetrahedron &a, const Tetrahedron &b);
+
+  /** A distance, m, that two tetrahedra have at least: from the face of one
+   * from which the other is farthest. Not positive if no face parts them. */
+  double
+  separation(const Tetrahedron &a, const Tetrahedron &b);
 } // namespace rift
 
 #endif

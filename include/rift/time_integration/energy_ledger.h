@@ -34,10 +34,11 @@ namespace rift
     }
   };
 
-  /** What one rank owns of the energies, J; none of contact yet. */
+  /** What one rank owns of the energies, J. */
   struct EnergySums
   {
-    ExactSum kinetic, strain, cohesive, fracture, friction, damping, loads;
+    ExactSum kinetic, strain, cohesive, fracture, contact, friction, damping,
+      loads;
 
     /** The energies of the whole body. Collective. */
     Energies
@@ -48,6 +49,7 @@ namespace rift
                                 &all.strain,
                                 &all.cohesive,
                                 &all.fracture,
+                                &all.contact,
                                 &all.friction,
                                 &all.damping,
                                 &all.loads},
@@ -57,6 +59,7 @@ namespace rift
       result.strain   = all.strain.value();
       result.cohesive = all.cohesive.value();
       result.fracture = all.fracture.value();
+      result.contact  = all.contact.value();
       result.friction = all.friction.value();
       result.damping  = all.damping.value();
       result.loads    = all.loads.value();

@@ -1,0 +1,219 @@
+#ifndef rift_contact_contact_force_h
+#define rift_contact_contact_force_h
+
+#include <rift/base/exact_sum.h>
+#include <rift/contact/contact_search.h>
+#include <rift/contact/contact_surface.h>
+#include <rift/discretization/activity.h>
+#include <rift/material/material_parameters.h>
+
+#include <functional>
+#include <vector>
+
+namespace rift
+{
+  /** Energies of the pairs that this rank owns, J. */
+  struct ContactEnergy
+  {
+    ExactSum elastic, friction, damping;
+  };
+
+  /** A pair of cells that may touch, for a checkpoint. */
+  struct ContactPairRecord
+  {
+    GlobalCellIndex a, b;
+    double          free_potential, slip[dim], stiffness;
+  };
+
+  /** A cell that took part in the last search, and where it was then. */
+  struct ContactCellRecord
+  {
+    GlobalCellIndex cell;
+    std::uint32_t   padding;
+    double          positions[n_corners][dim];
+  };
+
+  /**
+   * Contact at work: the surface, the search and the forces of the pairs.
+   *
+   * The positions at t_n and the pairs are made at the end of the step before,
+   * by follow(); add_to() then needs no other rank. Each rank computes all
+   * pairs of the cells that it sees, in the order of these, so that the sums at
+   * its nodes are the same on any number of ranks; of cells that it does not
+   * own it is told by their owners.
+   *
+   * Pairs are searched for anew when a corner has moved by half of the skin
+   * since the last time, and within `crack_interval` steps after something has
+   * broken. A pair whose cells overlap already when it is found starts without
+   * force and energy.
+   */
+  class ContactForce
+  {
+  public:
+    /** What contact has to know of the body, the cracks and the materials. */
+    struct Interface
+    {
+      /** The largest penalty of a cell, Pa. */
+      std::function<double(CellIndex)> penalty;
+
+      /** Mass of a cell, kg. */
+      std::function<double(CellIndex)> mass;
+
+      /** Coefficient of friction of two materials. */
+      std::function<double(std::uint32_t, std::uint32_t)> friction;
+
+      /** Damping over the critical one. */
+      double damping;
+
+      ContactSurface::IsHeld is_held;
+
+      /** Changes with all that has happened to cracks. */
+      std::function<std::uint64_t()> n_crack_events;
+
+      /** Calls its argument with all faces that have opened. */
+      std::function<void(const std::function<void(FaceIndex)> &)>
+        for_each_open_face;
+    };
+
+    /** Collective. @param state of the undeformed body. */
+    ContactForce(const Topology     &topology,
+                 const State        &state,
+                 const Communicator &communicator,
+                 Interface           interface);
+
+    /**
+     * Takes in where the cells are now, on all ranks, and finds the pairs
+     * anew when that is due. To be called once before the first step and after
+     * each drift, when the nodes of ghost cells have followed. Collective.
+     */
+    void
+    follow(const State &state);
+
+    /** Adds the forces at the positions of the last follow().
+     * @param time_step that has led there, s; zero at the start. */
+    void
+    add_to(State &state, Activity &activity, double time_step);
+
+    /** Energies at the last add_to(). */
+    const ContactEnergy &
+    energy() const
+    {
+      return energies;
+    }
+
+    /** Calls `f` on each sum that a checkpoint must hold. */
+    template <typename Function>
+    void
+    for_each_sum(const Function &f)
+    {
+      f(energies.friction);
+      f(energies.damping);
+    }
+
+    /** Number of pairs of the whole body that touch. Collective. */
+    std::uint64_t
+    count_touching() const;
+
+    /**
+     * @throws InputError on all ranks if cells overlap that did not grow from
+     *   a crack: to be called at the start, after follow(). Collective.
+     */
+    void
+    refuse_overlaps(const std::vector<MaterialParameters> &materials) const;
+
+    /** What this rank owns. */
+    std::vector<ContactPairRecord>
+    pair_records() const;
+
+    std::vector<ContactCellRecord>
+    cell_records() const;
+
+    /** Whether cracks have changed since the last look, on any rank. */
+    bool
+    has_changed() const;
+
+    /**
+     * Goes on as the records say, which are those of all ranks; in place of
+     * the first follow(). Collective.
+     */
+    void
+    restore(const State                          &state,
+            const std::vector<ContactPairRecord> &pairs,
+            const std::vector<ContactCellRecord> &cells,
+            bool                                  has_changed);
+
+  private:
+    /** A cell of a pair that is computed here. */
+    struct Member
+    {
+      ContactCell cell;
+
+      /** Here; invalid_index if this rank does not see it. */
+      CellIndex local;
+    };
+
+    struct Pair
+    {
+      /** Positions in `members`. */
+      std::uint32_t    a, b;
+      ContactConstants constants;
+      ContactMemory    memory;
+      bool             touches;
+    };
+
+    /** A rank that tells of cells, or is told. */
+    struct Partner
+    {
+      int                        rank;
+      std::vector<std::uint32_t> cells;
+    };
+
+    bool
+    is_due(const State &state);
+
+    /** The own cells as they are now. */
+    std::vector<ContactCell>
+    own_cells(const State &state, const std::vector<CellIndex> &cells) const;
+
+    void
+    search(const State &state);
+
+    /** Makes the members and the pairs that concern this rank. */
+    void
+    take(const std::vector<ContactCell>      &cells,
+         const std::vector<ContactCandidate> &candidates);
+
+    /** Asks the owners of cells to tell how they move. */
+    void
+    ask_owners();
+
+    void
+    exchange_motions(const State &state);
+
+    void
+    add_forces(const Member                         &member,
+               const std::array<Vector3<double>, 4> &forces,
+               State                                &state,
+               Activity                             &activity) const;
+
+    const Topology     &topology;
+    const Communicator &communicator;
+    const Interface     interface;
+
+    ContactSurface surface;
+    const double   skin;
+
+    /** Own cells at the last search and where they were. */
+    std::vector<CellIndex>   searched_cells;
+    std::vector<Tetrahedron> searched_positions;
+    std::uint64_t            n_known_events = 0;
+
+    std::vector<Member>  members;
+    std::vector<Pair>    pairs;
+    std::vector<Partner> listeners, tellers;
+    bool                 has_partners = false;
+    ContactEnergy        energies;
+  };
+} // namespace rift
+
+#endif

@@ -1,0 +1,293 @@
+#include <rift/contact/contact_force.h>
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+
+namespace rift
+{
+  namespace
+  {
+    /** The skin over the harmonic mean of the sizes of surface cells. Thicker
+     * means fewer searches and more pairs to look at in each step. */
+    constexpr double skin_per_size = .2;
+
+    /** What has broken is searched for contact after so many steps or less. */
+    constexpr std::uint64_t crack_interval = 10;
+
+    double
+    longest_edge(const Tetrahedron &t)
+    {
+      double longest = 0;
+      for (unsigned int i = 0; i < n_corners; ++i)
+        for (unsigned int j = 0; j < i; ++j)
+          longest = std::max(longest, norm(t[i] - t[j]));
+      return longest;
+    }
+
+    double
+    skin_of(const ContactSurface &surface,
+            const Topology       &topology,
+            const State          &state,
+            const Communicator   &communicator)
+    {
+      ExactSum sum;
+      for (const CellIndex cell : surface.cells())
+        sum.add(1 / longest_edge(motion_of(topology, state, cell).positions));
+      ExactSum::sum_over_ranks({&sum}, communicator);
+      const auto number =
+        communicator.sum(static_cast<std::int64_t>(surface.cells().size()));
+      return skin_per_size * number / sum.value();
+    }
+
+    template <typename T>
+    std::string
+    bytes_of(const std::vector<T> &values)
+    {
+      return {reinterpret_cast<const char *>(values.data()),
+              values.size() * sizeof(T)};
+    }
+
+    template <typename T>
+    std::vector<T>
+    values_of(const std::string &bytes)
+    {
+      std::vector<T> values(bytes.size() / sizeof(T));
+      if (!bytes.empty())
+        std::memcpy(values.data(), bytes.data(), bytes.size());
+      return values;
+    }
+  } // namespace
+
+  ContactForce::ContactForce(const Topology     &topology,
+                             const State        &state,
+                             const Communicator &communicator,
+                             Interface           interface)
+    : topology(topology)
+    , communicator(communicator)
+    , interface(std::move(interface))
+    , surface(topology)
+    , skin(skin_of(surface, topology, state, communicator))
+  {
+  }
+
+  void
+  ContactForce::follow(const State &state)
+  {
+    if (is_due(state))
+      search(state);
+    else
+      exchange_motions(state);
+  }
+
+  bool
+  ContactForce::is_due(const State &state)
+  {
+    double largest = 0;
+    for (std::size_t i = 0; i < searched_cells.size(); ++i)
+      for (unsigned int c = 0; c < n_corners; ++c)
+        {
+          const Vector3<double> shift =
+            state.position(topology.node(searched_cells[i], c)) -
+            searched_positions[i][c];
+          largest = std::max(largest, dot(shift, shift));
+        }
+    const bool has_cracked = state.step % crack_interval == 0 &&
+                             interface.n_crack_events() != n_known_events;
+    // Not less, so that what is not a number does not go on for ever.
+    const bool is_near = largest < skin * skin / 4;
+    return communicator.any(searched_cells.empty() || has_cracked || !is_near);
+  }
+
+  std::vector<ContactCell>
+  ContactForce::own_cells(const State                  &state,
+                          const std::vector<CellIndex> &cells) const
+  {
+    std::vector<ContactCell> result;
+    result.reserve(cells.size());
+    for (const CellIndex cell : cells)
+      {
+        result.push_back(
+          surface.describe(cell, communicator.rank(), interface.is_held));
+        result.back().penalty = interface.penalty(cell);
+        result.back().mass    = interface.mass(cell);
+        result.back().motion  = motion_of(topology, state, cell);
+      }
+    return result;
+  }
+
+  void
+  ContactForce::search(const State &state)
+  {
+    interface.for_each_open_face(
+      [this](const FaceIndex face) { surface.include(face); });
+    n_known_events = interface.n_crack_events();
+    searched_cells = surface.cells();
+    searched_positions.clear();
+    for (const CellIndex cell : searched_cells)
+      searched_positions.push_back(motion_of(topology, state, cell).positions);
+
+    const auto cells =
+      gather_cells(own_cells(state, searched_cells), communicator);
+    take(cells, find_candidates(cells, skin));
+  }
+
+  void
+  ContactForce::take(const std::vector<ContactCell>      &cells,
+                     const std::vector<ContactCandidate> &candidates)
+  {
+    std::map<std::pair<GlobalCellIndex, GlobalCellIndex>, Pair> known;
+    for (const Pair &pair : pairs)
+      known.emplace(
+        std::make_pair(members[pair.a].cell.cell, members[pair.b].cell.cell),
+        pair);
+
+    std::vector<CellIndex> local;
+    for (const ContactCell &cell : cells)
+      local.push_back(topology.find_cell(cell.cell));
+    std::vector<std::uint32_t> member_of(cells.size(), invalid_index);
+    members.clear();
+    pairs.clear();
+    const auto member = [&](const std::uint32_t cell) {
+      if (member_of[cell] == invalid_index)
+        {
+          member_of[cell] = static_cast<std::uint32_t>(members.size());
+          members.push_back({cells[cell], local[cell]});
+        }
+      return member_of[cell];
+    };
+    for (const ContactCandidate &candidate : candidates)
+      if (local[candidate.a] != invalid_index ||
+          local[candidate.b] != invalid_index)
+        {
+          const ContactCell &a = cells[candidate.a], &b = cells[candidate.b];
+          const auto         old = known.find({a.cell, b.cell});
+          Pair               pair{};
+          if (old != known.end())
+            pair = old->second;
+          else
+            pair.memory.free_potential =
+              overlap(a.motion.positions, b.motion.positions).potential;
+          pair.a         = member(candidate.a);
+          pair.b         = member(candidate.b);
+          pair.constants = {std::min(a.penalty, b.penalty),
+                            interface.friction(a.material, b.material),
+                            interface.damping,
+                            a.mass * b.mass / (a.mass + b.mass)};
+          pairs.push_back(pair);
+        }
+    // What friction has stored in pairs that are no longer near is used up:
+    // they do not touch, so that there is nothing.
+    ask_owners();
+  }
+
+  void
+  ContactForce::ask_owners()
+  {
+    listeners.clear();
+    tellers.clear();
+    std::map<int, std::vector<GlobalCellIndex>> wanted;
+    std::map<int, Partner>                      asked;
+    for (std::uint32_t i = 0; i < members.size(); ++i)
+      if (const int owner = members[i].cell.owner; owner != communicator.rank())
+        {
+          wanted[owner].push_back(members[i].cell.cell);
+          asked[owner].rank = owner;
+          asked[owner].cells.push_back(i);
+        }
+    for (auto &[rank, partner] : asked)
+      tellers.push_back(std::move(partner));
+    std::map<int, std::string> messages;
+    for (const auto &[rank, cells] : wanted)
+      messages[rank] = bytes_of(cells);
+    has_partners = communicator.any(!messages.empty());
+    if (!has_partners)
+      return;
+    for (const auto &[rank, bytes] : communicator.exchange(messages))
+      {
+        Partner listener{rank, {}};
+        for (const GlobalCellIndex cell : values_of<GlobalCellIndex>(bytes))
+          listener.cells.push_back(topology.find_cell(cell));
+        listeners.push_back(std::move(listener));
+      }
+  }
+
+  void
+  ContactForce::exchange_motions(const State &state)
+  {
+    for (Member &member : members)
+      if (member.cell.owner == communicator.rank())
+        member.cell.motion = motion_of(topology, state, member.local);
+    if (!has_partners)
+      return;
+    std::map<int, std::string> messages;
+    for (const Partner &listener : listeners)
+      {
+        std::vector<CellMotion> motions;
+        for (const CellIndex cell : listener.cells)
+          motions.push_back(motion_of(topology, state, cell));
+        messages[listener.rank] = bytes_of(motions);
+      }
+    const auto received = communicator.exchange(messages);
+    for (const Partner &teller : tellers)
+      {
+        const auto motions = values_of<CellMotion>(received.at(teller.rank));
+        for (std::size_t i = 0; i < motions.size(); ++i)
+          members[teller.cells[i]].cell.motion = motions[i];
+      }
+  }
+
+  void
+  ContactForce::add_to(State &state, Activity &activity, const double time_step)
+  {
+    energies.elastic = ExactSum();
+    for (Pair &pair : pairs)
+      {
+        const Member       &a = members[pair.a], &b = members[pair.b];
+        const ContactForces forces = touch(a.cell.motion,
+                                           b.cell.motion,
+                                           pair.constants,
+                                           time_step,
+                                           pair.memory);
+        pair.touches               = forces.touches;
+        if (a.cell.owner == communicator.rank())
+          {
+            energies.elastic.add(forces.energy);
+            energies.friction.add(forces.friction_loss);
+            energies.damping.add(forces.damping_loss);
+          }
+        if (!forces.touches)
+          continue;
+        add_forces(a, forces.on_a, state, activity);
+        add_forces(b, forces.on_b, state, activity);
+      }
+  }
+
+  void
+  ContactForce::add_forces(const Member                         &member,
+                           const std::array<Vector3<double>, 4> &forces,
+                           State                                &state,
+                           Activity                             &activity) const
+  {
+    if (member.local == invalid_index)
+      return;
+    for (unsigned int c = 0; c < n_corners; ++c)
+      {
+        const NodeIndex node = topology.node(member.local, c);
+        for (unsigned int d = 0; d < dim; ++d)
+          state.force[node][d] += forces[c][d];
+        if (!activity.is_awake(member.local / batch_size))
+          activity.wake_node(topology, node);
+      }
+  }
+
+  std::uint64_t
+  ContactForce::count_touching() const
+  {
+    std::int64_t number = 0;
+    for (const Pair &pair : pairs)
+      number +=
+        pair.touches && members[pair.a].cell.owner == communicator.rank();
+    return static_cast<std::uint64_t>(communicator.sum(number));
+  }
+} // namespace rift

@@ -1,0 +1,153 @@
+#include <rift/contact/contact_pair.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rift
+{
+  namespace
+  {
+    /** Stiffness of the spring of friction over that of the overlap. */
+    constexpr double stiffness_ratio = 2. / 7;
+
+    Vector3<double>
+    weighted(const std::array<double, 4>          &weights,
+             const std::array<Vector3<double>, 4> &vectors)
+    {
+      Vector3<double> sum{};
+      for (unsigned int c = 0; c < 4; ++c)
+        sum += weights[c] * vectors[c];
+      return sum;
+    }
+
+    /** The part of a vector across a normal. */
+    Vector3<double>
+    across(const Vector3<double> &vector, const Vector3<double> &normal)
+    {
+      return vector - dot(vector, normal) * normal;
+    }
+
+    /** Turns the slip into the plane of the contact as it is now. */
+    Vector3<double>
+    turned(const Vector3<double> &slip, const Vector3<double> &normal)
+    {
+      const Vector3<double> in_plane = across(slip, normal);
+      const double          length   = norm(in_plane);
+      return length > 0 ? (norm(slip) / length) * in_plane : in_plane;
+    }
+
+    double
+    spring_energy(const ContactMemory &memory)
+    {
+      return .5 * memory.stiffness * dot(memory.slip, memory.slip);
+    }
+
+    /**
+     * Moves the spring of friction.
+     *
+     * @param normal_force N.
+     * @param shift of A against B in the plane since the step before, m.
+     * @return energy that has been used up, J: by the trapezoidal rule, as the
+     *   central differences count the work of the spring.
+     */
+    double
+    slide(const Vector3<double> &normal,
+          const double           normal_force,
+          const double           stiffness,
+          const double           friction,
+          const Vector3<double> &shift,
+          ContactMemory         &memory)
+    {
+      memory.slip                     = turned(memory.slip, normal);
+      const Vector3<double> old_force = memory.stiffness * memory.slip;
+      const double          before    = spring_energy(memory);
+      // A spring that becomes stiffer keeps its force.
+      if (stiffness > memory.stiffness)
+        {
+          memory.slip      = (memory.stiffness / stiffness) * memory.slip;
+          memory.stiffness = stiffness;
+        }
+      memory.slip += shift;
+      const double length  = norm(memory.slip);
+      const double longest = friction * normal_force / memory.stiffness;
+      if (length > longest)
+        memory.slip = (longest / length) * memory.slip;
+      const Vector3<double> force = memory.stiffness * memory.slip;
+      return .5 * dot(old_force + force, shift) -
+             (spring_energy(memory) - before);
+    }
+  } // namespace
+
+  ContactForces
+  touch(const CellMotion       &a,
+        const CellMotion       &b,
+        const ContactConstants &constants,
+        const double            time_step,
+        ContactMemory          &memory)
+  {
+    ContactForces result;
+    const Overlap common = overlap(a.positions, b.positions);
+    if (common.volume == 0)
+      {
+        result.friction_loss = spring_energy(memory);
+        memory               = ContactMemory();
+        return result;
+      }
+
+    result.touches = true;
+
+    // Eq. 23 and its derivative by the potential
+    const double excess   = common.potential - memory.free_potential;
+    memory.free_potential = std::min(memory.free_potential, common.potential);
+    const double share    = memory.free_potential / common.potential;
+    const double slope    = constants.penalty * (1 - share * share);
+    result.energy =
+      excess > 0 ? constants.penalty * excess * excess / common.potential : 0;
+    Vector3<double> force{};
+    for (unsigned int c = 0; c < 4; ++c)
+      {
+        result.on_a[c] = -slope * common.gradient_a[c];
+        result.on_b[c] = -slope * common.gradient_b[c];
+        force += result.on_a[c];
+      }
+
+    const double elastic = norm(force);
+    if (elastic == 0)
+      {
+        result.friction_loss = spring_energy(memory);
+        memory.slip          = {};
+        return result;
+      }
+    const Vector3<double> normal   = (1 / elastic) * force;
+    const Vector3<double> velocity = weighted(common.weights_a, a.velocities) -
+                                     weighted(common.weights_b, b.velocities);
+    // Of faces that lie flat upon each other the potential is half of the
+    // stiffness times the square of the depth, over the penalty.
+    const double stiffness = elastic * elastic / (2 * slope * common.potential);
+
+    const double speed  = dot(velocity, normal);
+    const double damper = std::max(
+      -2 * constants.damping * std::sqrt(stiffness * constants.mass) * speed,
+      -elastic);
+    result.damping_loss = -damper * speed * time_step;
+
+    Vector3<double> added = damper * normal;
+    if (constants.friction > 0)
+      {
+        result.friction_loss = slide(normal,
+                                     elastic + damper,
+                                     stiffness_ratio * stiffness,
+                                     constants.friction,
+                                     time_step * across(velocity, normal),
+                                     memory);
+        result.energy += spring_energy(memory);
+        added -= memory.stiffness * memory.slip;
+      }
+    for (unsigned int c = 0; c < 4; ++c)
+      {
+        result.on_a[c] += common.weights_a[c] * added;
+        result.on_b[c] -= common.weights_b[c] * added;
+      }
+    return result;
+  }
+} // namespace rift

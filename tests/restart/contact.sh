@@ -1,0 +1,29 @@
+# Goes on in the midst of contact, on other ranks: a block that slides over a
+# table, a bar whose pieces fly apart and meet.
+#
+#   bash contact.sh RIFT RANKS
+. "$(dirname "$0")/common.sh"
+contact=$here/../../prm/contact
+every=(--set "Checkpoint/Interval in steps=40"
+  --set "Checkpoint/Number of sets=100")
+
+# goes_on NAME STEP SCENE...
+goes_on() {
+  local name=$1 step=$2
+  shift 2
+  expect 0 1 "$@" --output "$name-whole"
+  expect 0 1 "$@" --output "$name" "${every[@]}"
+  same_results "$name-whole" "$name"
+  for n in "$ranks" $((ranks + 1)) 1; do
+    keep_sets_until $step "$name"
+    expect 0 "$n" "$@" --output "$name" "${every[@]}" --restart
+    same_results "$name-whole" "$name"
+  done
+}
+goes_on block 80 "$contact/block.prm" --set "Time/End time=6e-5" \
+  --set "Output/Solution interval=3e-5"
+! grep -q '"contact_pairs": 0,' block/summary.json || fail "nothing touches"
+
+goes_on bar 360 "$here/spalling.prm" --set Contact/Contact=true \
+  --set "Mesh/Element size=8e-3" --set "Time/Time step=2.174e-7"
+! grep -q '"contact_pairs": 0,' bar/summary.json || fail "nothing touches"
