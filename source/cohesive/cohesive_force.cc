@@ -311,9 +311,14 @@ namespace rift
             energy.fracture.add(memory->fracture[lane]);
             energy.friction.add(memory->friction[lane]);
             // What the elastic branch was given at the start belongs to the
-            // recoverable energy until the face has failed.
-            (info.failure_time >= 0 ? energy.fracture : energy.recoverable)
-              .add(-memory->initial[lane]);
+            // recoverable energy until the face has failed, and that of the
+            // pressure after that as well.
+            const bool has_failed = info.failure_time >= 0;
+            (has_failed ? energy.fracture : energy.recoverable)
+              .add(-memory->given_fracture[lane]);
+            (has_failed ? energy.friction : energy.recoverable)
+              .add(-memory->given_friction[lane]);
+            energy.recoverable.add(-memory->given_pressure[lane]);
           }
       }
     return energy;

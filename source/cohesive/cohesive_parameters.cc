@@ -105,14 +105,23 @@ namespace rift
   void
   CohesiveParameters::check() const
   {
-    if (!(stiffness_factor > 0))
+    // Below, faces are so soft that they part or overlap by their own size.
+    constexpr double smallest_factor = 1e-3, smallest_multiple = .01;
+    if (!(stiffness_factor >= smallest_factor))
       throw ParameterError(section,
                            "Stiffness factor",
-                           "this must be greater than zero.");
+                           "this must be " + to_text(smallest_factor) +
+                             " or more.");
     if (!(penalty.value > 0 && std::isfinite(penalty.value)))
       throw ParameterError(section,
                            "Cohesive penalty",
-                           "this must be greater than zero.");
+                           "this must be greater than zero and finite.");
+    if (penalty.is_multiple && penalty.value < smallest_multiple)
+      throw ParameterError(section,
+                           "Cohesive penalty",
+                           "with less than " + to_text(smallest_multiple) +
+                             " E faces are so soft that the body falls apart "
+                             "without breaking.");
     // No solid is that soft; somebody has forgotten the E.
     constexpr double smallest_penalty = 1e6;
     if (!penalty.is_multiple && penalty.value < smallest_penalty)

@@ -62,6 +62,22 @@ namespace rift
                                               stiffness,
                                               part_of_fracture);
     }
+
+    /** Of an elastic branch with this traction. */
+    GivenEnergy
+    energy_of(const Vector3<double> &traction,
+              const double           tan_friction_angle,
+              const double           stiffness)
+    {
+      const double tension  = std::max(traction[0], 0.);
+      const double pressure = std::max(-traction[0], 0.);
+      const double shear    = std::hypot(traction[1], traction[2]);
+      const double friction = std::min(tan_friction_angle * pressure, shear);
+      const double cohesion = shear - friction;
+      return {.5 * (tension * tension + cohesion * cohesion) / stiffness,
+              cohesion * friction / stiffness,
+              .5 * (pressure * pressure + friction * friction) / stiffness};
+    }
   } // namespace
 
   CohesiveConstants<double>
@@ -98,7 +114,7 @@ namespace rift
            is_too_short(strength.cohesion, strength.fracture_energy_2);
   }
 
-  double
+  GivenEnergy
   hold_traction(CohesivePoint<double> &point,
                 const Vector3<double> &jump,
                 const Vector3<double> &more,
@@ -128,6 +144,11 @@ namespace rift
                     strength,
                     stiffness,
                     StraightBranch::part_of_fracture);
-    return .5 * (dot(t, t) - dot(before, before)) / stiffness;
+    const double      slope = strength.tan_friction_angle;
+    const GivenEnergy had   = energy_of(before, slope, stiffness);
+    const GivenEnergy has   = energy_of(t, slope, stiffness);
+    return {has.fracture - had.fracture,
+            has.friction - had.friction,
+            has.pressure - had.pressure};
   }
 } // namespace rift

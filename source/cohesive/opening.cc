@@ -352,11 +352,14 @@ namespace rift
         for (unsigned int d = 0; d < dim; ++d)
           jump[d] = jumps[d][lane];
 
-        auto         point     = get_point(memory, q, lane);
-        const double stiffness = batch.constants.stiffness[lane];
-        const double weight    = quadrature.weight[q] * area;
-        memory.initial[lane] +=
-          weight * hold_traction(point, jump, more, strength, stiffness);
+        auto              point     = get_point(memory, q, lane);
+        const double      stiffness = batch.constants.stiffness[lane];
+        const double      weight    = quadrature.weight[q] * area;
+        const GivenEnergy given =
+          hold_traction(point, jump, more, strength, stiffness);
+        memory.given_fracture[lane] += weight * given.fracture;
+        memory.given_friction[lane] += weight * given.friction;
+        memory.given_pressure[lane] += weight * given.pressure;
         set_point(memory, q, lane, point);
       }
   }

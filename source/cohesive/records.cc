@@ -24,7 +24,9 @@ namespace rift
                                   batch.area[lane],
                                   memory.fracture[lane],
                                   memory.friction[lane],
-                                  memory.initial[lane],
+                                  memory.given_fracture[lane],
+                                  memory.given_friction[lane],
+                                  memory.given_pressure[lane],
                                   {}};
         for (unsigned int q = 0; q < n_face_points; ++q)
           record.points[q] = get_point(memory, q, lane);
@@ -57,12 +59,14 @@ namespace rift
         CohesiveBatch      &batch = cohesive_faces.batches[i / batch_size];
         if (batch.memory == invalid_index)
           make_memory(i / batch_size);
-        CohesiveMemory    &memory = cohesive_faces.memories[batch.memory];
-        const unsigned int lane   = i % batch_size;
-        batch.area[lane]          = record.area;
-        memory.fracture[lane]     = record.fracture;
-        memory.friction[lane]     = record.friction;
-        memory.initial[lane]      = record.initial;
+        CohesiveMemory    &memory   = cohesive_faces.memories[batch.memory];
+        const unsigned int lane     = i % batch_size;
+        batch.area[lane]            = record.area;
+        memory.fracture[lane]       = record.fracture;
+        memory.friction[lane]       = record.friction;
+        memory.given_fracture[lane] = record.given_fracture;
+        memory.given_friction[lane] = record.given_friction;
+        memory.given_pressure[lane] = record.given_pressure;
         for (unsigned int q = 0; q < n_face_points; ++q)
           set_point(memory, q, lane, record.points[q]);
         CohesiveFaceInfo &info = cohesive_faces.infos[i];

@@ -18,6 +18,9 @@ namespace rift
     /** More would need a shorter time step. */
     constexpr double largest_damping = .3;
 
+    /** With less, bodies pass through each other. */
+    constexpr double smallest_factor = 1e-3;
+
     bool
     is_pair(const ContactParameters::PairFriction &pair,
             const std::string                     &first,
@@ -147,10 +150,11 @@ namespace rift
                            "Damping",
                            "this must be between 0 and " +
                              to_text(largest_damping) + ".");
-    if (!(stiffness_factor > 0 && std::isfinite(stiffness_factor)))
+    if (!(stiffness_factor >= smallest_factor))
       throw ParameterError(section,
                            "Stiffness factor",
-                           "this must be greater than zero.");
+                           "this must be " + to_text(smallest_factor) +
+                             " or more.");
   }
 
   void

@@ -57,11 +57,9 @@ namespace rift::test
     double
     hold(const Vector &traction)
     {
-      return hold_traction(point,
-                           jump,
-                           traction,
-                           strength,
-                           constants.stiffness);
+      given =
+        hold_traction(point, jump, traction, strength, constants.stiffness);
+      return given.fracture + given.friction + given.pressure;
     }
 
     double
@@ -75,6 +73,7 @@ namespace rift::test
     CohesiveConstants<double> constants;
     Vector                    jump = {{0, 0, 0}};
     double                    work = 0, fracture = 0, friction = 0;
+    GivenEnergy               given{};
   };
 
   /** In the extrinsic model. */

@@ -76,6 +76,36 @@ TEST(MohrCoulomb, WhatNodesTransmittedDoesNotChangeTheEnergy)
     }
 }
 
+// Under pressure the gift goes three ways: what of the shear the cohesion
+// carries is taken off fracture, what friction will use up off friction, and
+// what the pressure holds stays in the branch.
+TEST(MohrCoulomb, WhatNodesTransmittedUnderPressureIsSharedOut)
+{
+  for (const double pressure : {20e6, 100e6})
+    {
+      Specimen     specimen;
+      const double friction = strength.tan_friction_angle * pressure;
+      const double gift =
+        specimen.hold({{-pressure, strength.cohesion + friction, 0}});
+      EXPECT_NEAR(gift,
+                  (std::pow(pressure, 2) +
+                   std::pow(strength.cohesion + friction, 2)) /
+                    (2 * slope),
+                  1e-12 * gift);
+      const double slip = 1.3 * full_slip;
+      specimen.go_to({{0, slip, 0}}, 20000);
+      EXPECT_NEAR(specimen.fracture - specimen.given.fracture,
+                  strength.fracture_energy_2,
+                  1e-3 * strength.fracture_energy_2);
+      EXPECT_NEAR(specimen.friction - specimen.given.friction,
+                  friction * slip,
+                  1e-3 * friction * slip);
+      EXPECT_NEAR(specimen.elastic_energy(),
+                  specimen.given.pressure,
+                  1e-9 * specimen.given.pressure);
+    }
+}
+
 // Beyond the peak, with opening = o_t D cos(a) and slip = s_t D sin(a), normal
 // and shear traction are f(D) T and f(D) C, and the work until D = 1 is the
 // integral of f(D) dD times T o_t cos(a) + C s_t sin(a), where I T o_t is what

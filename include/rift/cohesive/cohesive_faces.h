@@ -30,11 +30,11 @@ namespace rift
   {
     std::array<CohesivePoint<Simd>, n_face_points> points;
 
-    /**
-     * Energies of a face, J: used up by fracture and by friction, and held by
-     * the elastic branches when the nodes parted, which the face was given.
-     */
-    Simd fracture, friction, initial;
+    /** Energies of a face that fracture and friction have used up, J. */
+    Simd fracture, friction;
+
+    /** Energies that a face was given when its nodes parted, J; GivenEnergy. */
+    Simd given_fracture, given_friction, given_pressure;
   };
 
   /**
@@ -102,7 +102,8 @@ namespace rift
   struct CohesiveFaceRecord
   {
     FaceName face;
-    double   start_time, failure_time, area, fracture, friction, initial;
+    double   start_time, failure_time, area, fracture, friction;
+    double   given_fracture, given_friction, given_pressure;
 
     std::array<CohesivePoint<double>, n_face_points> points;
   };

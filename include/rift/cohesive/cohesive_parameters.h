@@ -52,7 +52,7 @@ namespace rift
     static CohesiveParameters
     parse(dealii::ParameterHandler &prm);
 
-    /** Throws ParameterError for a stiffness that is not positive. */
+    /** Throws ParameterError for a stiffness that is too small. */
     void
     check() const;
 

@@ -45,7 +45,7 @@ namespace rift
     parse(dealii::ParameterHandler &prm);
 
     /** Throws ParameterError for a negative friction, for damping outside of
-     * [0, 0.3] and for a factor that is not positive. */
+     * [0, 0.3] and for a factor below 0.001. */
     void
     check() const;
 

@@ -239,6 +239,23 @@ namespace rift
                       double              part_of_fracture);
 
   /**
+   * Energies per area that an elastic branch holds without having drawn them
+   * from the body, J/m^2: by what will use them up.
+   */
+  struct GivenEnergy
+  {
+    /** Tension and what of the shear the cohesion carries. */
+    double fracture;
+
+    /** What of the shear friction will have used up once there is nothing but
+     * friction. */
+    double friction;
+
+    /** What compressed faces keep. */
+    double pressure;
+  };
+
+  /**
    * For straight branches: gives a point more traction than it had at its last
    * update. The force that held two nodes together until now passes to the
    * face, so that the start is continuous in time (doc/theory.md, section 5).
@@ -246,10 +263,9 @@ namespace rift
    * the energy drawn from the body remains the fracture energy.
    *
    * @param jump now, m; the body may have moved since the last update.
-   * @return energy per area in the elastic branch that comes with the
-   *   traction, J/m^2.
+   * @return what comes with the traction.
    */
-  double
+  GivenEnergy
   hold_traction(CohesivePoint<double> &point,
                 const Vector3<double> &jump,
                 const Vector3<double> &more,
@@ -376,10 +392,18 @@ namespace rift
       return {zero, zero};
     // Intact points have not been followed: they come from the peak.
     if constexpr (!Branch::is_straight)
-      for (unsigned int d = 0; d < dim; ++d)
-        former[d] = select(point.opening + point.slip > zero,
-                           former[d],
-                           point.traction[d]);
+      {
+        const Number shear = sqrt(point.traction[1] * point.traction[1] +
+                                  point.traction[2] * point.traction[2]);
+        const Number share =
+          min((before.shear + trial.friction) / nonzero(shear), zero + 1.);
+        const Vector3<Number> peak = {{min(point.traction[0], before.normal),
+                                       share * point.traction[1],
+                                       share * point.traction[2]}};
+        for (unsigned int d = 0; d < dim; ++d)
+          former[d] =
+            select(point.opening + point.slip > zero, former[d], peak[d]);
+      }
 
     const CohesivePoint<Number> elastic    = point;
     const Number                compliance = 1. / constants.stiffness;
@@ -425,11 +449,19 @@ namespace rift
                                   zero);
     dissipation.fracture = of_opening + sliding - dissipation.friction;
     if constexpr (!Branch::is_straight)
-      dissipation.fracture +=
-        compliance * (trial_energy(rest.normal, before.normal) -
-                      trial_energy(rest.normal, after.normal) +
-                      trial_energy(rest.shear, before.shear) -
-                      trial_energy(rest.shear, after.shear));
+      {
+        const auto released = [&](const Number &shear) {
+          return compliance * (trial_energy(shear, before.shear) -
+                               trial_energy(shear, after.shear));
+        };
+        const Number of_cohesion =
+          released(min(rest.shear, Branch::reach * after.shear));
+        dissipation.fracture +=
+          compliance * (trial_energy(rest.normal, before.normal) -
+                        trial_energy(rest.normal, after.normal)) +
+          of_cohesion;
+        dissipation.friction += released(rest.shear) - of_cohesion;
+      }
 
     // To the last bit, a point must not feel that a neighbour in its batch
     // yields: on another number of ranks it has other neighbours.
