@@ -96,7 +96,7 @@ namespace rift
 
     result.touches = true;
 
-    // Eq. 23 and its derivative by the potential
+    // Eq. 26 and its derivative by the potential
     const double excess   = common.potential - memory.free_potential;
     memory.free_potential = std::min(memory.free_potential, common.potential);
     const double share    = memory.free_potential / common.potential;

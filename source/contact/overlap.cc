@@ -179,7 +179,7 @@ namespace rift
      * coordinate of the corner opposite to the face is the least. Where the
      * boundary of the overlap moves, the potential is zero (on the surface of
      * A), or its change is the flux through that of B, which by the theorem of
-     * Gauss is again an integral over the volume (doc/theory.md, eq. 22b). So
+     * Gauss is again an integral over the volume (doc/theory.md, eq. 25). So
      * volumes and centroids of the parts are all that is needed.
      */
     Part

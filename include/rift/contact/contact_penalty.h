@@ -9,7 +9,7 @@ namespace rift
 {
   /**
    * The largest penalty, Pa, at which contact on all faces of a loose cell adds
-   * no more than this to the square of its frequencies (doc/theory.md, eq. 24).
+   * no more than this to the square of its frequencies (doc/theory.md, eq. 27).
    *
    * @param density kg/m^3.
    * @param room 1/s^2.

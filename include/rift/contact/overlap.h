@@ -15,7 +15,7 @@ namespace rift
      * Munjiza's potentials integrated over the overlap, m^3:
      * sum over A and B of the least of the four barycentric coordinates, which
      * is zero on the surface of a tetrahedron and 1/4 at its centroid
-     * (doc/theory.md, eq. 22). Times the penalty it is the contact energy.
+     * (doc/theory.md, eq. 24). Times the penalty it is the contact energy.
      */
     double potential = 0;
 
