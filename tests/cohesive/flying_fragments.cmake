@@ -11,7 +11,7 @@ string(JSON residual GET "${summary}" energy_residual_relative)
 string(JSON fragments GET "${summary}" fragments)
 message("residual ${residual}, ${fragments} fragments")
 # CMake compares numbers with exponents as numbers.
-if(NOT residual LESS 1e-4)
+if(NOT residual LESS 1e-5)
   message(FATAL_ERROR "the balance of energies is off by ${residual}")
 endif()
 if(NOT fragments GREATER 3)

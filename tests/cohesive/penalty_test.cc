@@ -14,8 +14,13 @@ namespace
   /** A jittered box of granite of the intrinsic model, unbreakably strong. */
   struct IntrinsicBox
   {
-    explicit IntrinsicBox(const Penalty &penalty, const unsigned int seed)
-      : body(discretize(make_box({{2, 2, 2}}, 1e-3, .2, seed), {2641}, {true}))
+    IntrinsicBox(const Penalty &penalty, const unsigned int seed)
+      : IntrinsicBox(penalty, make_box({{2, 2, 2}}, 1e-3, .2, seed))
+    {
+    }
+
+    IntrinsicBox(const Penalty &penalty, const Body &cells)
+      : body(discretize(cells, {2641}, {true}))
       , activity(body.topology)
       , strengths(body.topology, {strong_granite()}, {})
       , slopes(body.topology,
@@ -107,6 +112,71 @@ TEST(Penalty, IsOverTheShortestEdge)
       EXPECT_NEAR(of_modulus.slopes(face) * shortest, 10 * 40.6e9, 1);
       EXPECT_NEAR(in_pascal.slopes(face) * shortest, 3e11, 1);
     }
+}
+
+// Of two materials the softer one decides; beside one that does not break there
+// is nothing.
+TEST(Penalty, BetweenTwoMaterials)
+{
+  Body box = make_box({{2, 2, 2}}, 1e-3, .2, 1);
+  for (std::size_t i = box.cells.size() / 2; i < box.cells.size(); ++i)
+    box.cells[i].material = 1;
+  MaterialParameters steel = granite();
+  steel.youngs_modulus     = 210e9;
+  for (const bool breaks : {true, false})
+    for (const bool steel_first : {true, false})
+      {
+        steel.breakable         = breaks;
+        const DiscreteBody body = discretize(box, {2641, 7850}, {});
+        const auto materials    = steel_first ? std::vector{steel, granite()} :
+                                                std::vector{granite(), steel};
+        const PenaltySlopes both(body.topology,
+                                 body.reference,
+                                 body.state,
+                                 {10, true},
+                                 materials,
+                                 stiffnesses_of(materials));
+        const PenaltySlopes unit(body.topology,
+                                 body.reference,
+                                 body.state,
+                                 {1, false},
+                                 {granite(), granite()},
+                                 stiffnesses_of(materials));
+        const std::uint16_t of_steel = steel_first ? 0 : 1;
+        unsigned int        n_mixed  = 0;
+        for (FaceIndex face = 0; face < body.topology.faces.size(); ++face)
+          {
+            unsigned int n_steel = 0;
+            for (const CellIndex cell : body.topology.faces[face].cells)
+              n_steel += body.topology.material(cell) == of_steel;
+            n_mixed += n_steel == 1;
+            const double modulus = n_steel == 2 ? 210e9 : 40.6e9;
+            const double factor  = n_steel > 0 && !breaks ? 0 : 10 * modulus;
+            EXPECT_NEAR(both(face) / unit(face), factor, 1e-9 * 10 * modulus);
+          }
+        EXPECT_GT(n_mixed, 5U);
+      }
+}
+
+// Two equal cells that swing against each other on one stiff face come near the
+// bound: a part of it that is forgotten shows.
+TEST(Penalty, BoundOfTheTimeStepIsSharpForTwoCells)
+{
+  Body pair;
+  pair.vertices = {{{0, 0, 0}},
+                   {{1e-3, 0, 0}},
+                   {{0, 1e-3, 0}},
+                   {{0, 0, 1e-3}},
+                   {{2e-3 / 3, 2e-3 / 3, 2e-3 / 3}}};
+  pair.cells    = {{0, {{0, 1, 2, 3}}, 0}, {1, {{4, 1, 3, 2}}, 0}};
+  IntrinsicBox box({1e4, true}, std::move(pair));
+  EXPECT_EQ(box.body.topology.faces.size(), 1U);
+  double bound = 0;
+  for (const CellIndex cell : {0, 1})
+    bound = std::max(bound, box.slopes.frequency_squared(cell));
+  const double exact = box.largest_frequency_squared();
+  EXPECT_LE(exact, 1.001 * bound);
+  EXPECT_GE(exact, .95 * bound);
 }
 
 // No frequency of the body is above the bound, and it is not far above them.

@@ -18,9 +18,15 @@ namespace
   struct CutBar
   {
     explicit CutBar(const double       stiffness_factor = .25,
-                    const unsigned int length           = 2)
+                    const unsigned int length           = 2,
+                    const Vector      &strain           = {{0, 0, 0}})
       : body(make_box({length, 2, 2}, edge), {granite()}, stiffness_factor)
     {
+      // Before the cut, so that there is something between the halves.
+      for (NodeIndex i = 0; i < body.state.n_nodes(); ++i)
+        for (unsigned int d = 0; d < dim; ++d)
+          body.state.displacement[i][d] =
+            body.state.reference[i][0] * strain[d];
       body.split(body.faces_in_plane(0, .5 * length * edge));
       body.sum_forces();
       body.start_openings();
@@ -136,6 +142,40 @@ TEST(Separation, MixedModeHasTheClosedForm)
                         granite().fracture_energy_1 * std::cos(angle) +
                           granite().fracture_energy_2 * std::sin(angle),
                         50000);
+    }
+}
+
+// The elastic branches start with a pressure and a shear at the envelope: what
+// the faces were given is no fracture, nor is it friction.
+TEST(Separation, SlidingUnderPressureUsesUpFractureEnergyAndFriction)
+{
+  for (const double pressure : {20e6, 60e6})
+    {
+      const double mu     = 40.6e9 / (2 * 1.2);
+      const double lambda = 40.6e9 * .2 / (1.2 * .6);
+      const double slope  = std::tan(granite().friction_angle);
+      CutBar       bar(.25,
+                 2,
+                 {{-pressure / (lambda + 2 * mu),
+                         (granite().cohesion + slope * pressure) / mu,
+                         0}});
+      bar.body.sum_forces();
+      const double         slip  = 1.3 * full_slip();
+      const Vector         force = bar.force_on_plus();
+      const double         work  = bar.separate({{0, slip, 0}}, 5000);
+      const CohesiveEnergy end   = bar.body.force.energy(bar.body.state);
+      EXPECT_EQ(bar.body.force.count_faces(Communicator()).failed, 8u);
+      EXPECT_GT(force[0], pressure * section);
+      // The free sides make stresses uneven: a few percent.
+      EXPECT_NEAR(end.fracture.value() /
+                    (granite().fracture_energy_2 * section),
+                  1,
+                  .04);
+      EXPECT_NEAR(end.friction.value() / (slope * force[0] * slip), 1, .02);
+      EXPECT_NEAR(end.fracture.value() + end.friction.value() +
+                    end.recoverable.value(),
+                  work,
+                  1e-6 * work);
     }
 }
 
