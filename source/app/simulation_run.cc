@@ -50,13 +50,17 @@ namespace rift
 
     const auto n_cells = body.communicator.sum(
       static_cast<std::int64_t>(topology().n_owned_cells()));
-    Progress progress(log, n_cells, state().time, parameters.time.end_time);
+    Progress progress(log,
+                      n_cells,
+                      state().step,
+                      state().time,
+                      parameters.time.end_time);
     timer.stop("setup");
     const double wall_start = timer.total();
     while (state().step < last_step)
       {
         step();
-        progress.update(state().step - first_step, state().time);
+        progress.update(state().step, state().time);
         if (!must_stop && !is_checkpoint_due)
           continue;
         write_checkpoint();
@@ -99,7 +103,10 @@ namespace rift
       summary.contact_pairs = contact->count_touching();
     results.finish(snapshot(), summary);
     log.write(
-      "Done: " + std::to_string(state().step) + " steps in " +
+      "Done: " + std::to_string(state().step) + " steps" +
+      (first_step > 0 ? ", " + std::to_string(state().step - first_step) +
+                          " of them since the restart, in " :
+                        " in ") +
       duration_text(timer.total()) + "; " + std::to_string(faces.opened) +
       " faces opened, largest residual of the energy ledger " +
       short_text(ledger.largest_relative_residual()) + " of the energy put in");

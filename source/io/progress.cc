@@ -19,6 +19,13 @@ namespace rift
       return buffer;
     }
 
+    unsigned int
+    tenths_of(const double fraction)
+    {
+      // Steps do not add up to tenths exactly.
+      return static_cast<unsigned int>(10 * fraction + 1e-9);
+    }
+
     std::string
     bar(const double fraction)
     {
@@ -31,16 +38,19 @@ namespace rift
 
   Progress::Progress(Log                &log,
                      const std::uint64_t n_cells,
+                     const std::uint64_t start_step,
                      const double        start_time,
                      const double        end_time,
                      const Clock        &clock)
     : log(log)
     , n_cells(n_cells)
+    , start_step(start_step)
     , start_time(start_time)
     , end_time(end_time)
     , clock(clock)
     , wall_start(clock())
     , wall_last(wall_start)
+    , tenths_last(tenths_of(start_time / end_time))
   {
   }
 
@@ -54,15 +64,11 @@ namespace rift
   }
 
   void
-  Progress::update(const std::uint64_t steps, const double time)
+  Progress::update(const std::uint64_t step, const double time)
   {
-    const double fraction =
-      end_time > start_time ?
-        std::clamp((time - start_time) / (end_time - start_time), 0., 1.) :
-        1.;
-    // Steps do not add up to tenths exactly.
-    const unsigned int tenths = static_cast<unsigned int>(10 * fraction + 1e-9);
-    const double       wall   = clock();
+    const double       fraction = std::min(time / end_time, 1.);
+    const unsigned int tenths   = tenths_of(fraction);
+    const double       wall     = clock();
 
     if (log.is_interactive() ? wall - wall_last < 0.1 :
                                tenths == tenths_last && wall - wall_last < 30)
@@ -70,7 +76,7 @@ namespace rift
     wall_last   = wall;
     tenths_last = tenths;
 
-    const std::string text = numbers(steps, fraction, time);
+    const std::string text = numbers(step, fraction, time);
     if (log.is_interactive())
       log.status(bar(fraction) + text);
     else
@@ -78,19 +84,21 @@ namespace rift
   }
 
   std::string
-  Progress::numbers(const std::uint64_t steps,
+  Progress::numbers(const std::uint64_t step,
                     const double        fraction,
                     const double        time) const
   {
     const double elapsed = clock() - wall_start;
     std::string  text    = format("%4.0f %%  step %llu  time %.3e s",
                               std::floor(100 * fraction + 1e-9),
-                              static_cast<unsigned long long>(steps),
+                              static_cast<unsigned long long>(step),
                               time);
     if (elapsed > 0)
-      text += format("  %.3g M cells/s", 1e-6 * n_cells * steps / elapsed);
-    if (fraction > 0)
-      text += "  ETA " + duration_text(elapsed * (1 - fraction) / fraction);
+      text += format("  %.3g M cells/s",
+                     1e-6 * n_cells * (step - start_step) / elapsed);
+    if (time > start_time)
+      text += "  ETA " +
+              duration_text(elapsed * (end_time - time) / (time - start_time));
     return text;
   }
 

@@ -25,12 +25,14 @@ namespace rift
      *
      * @param log        where to tell it; it must outlive this object.
      * @param n_cells    of the whole mesh, for the rate.
-     * @param start_time the simulated time now, s; not 0 after a restart.
+     * @param start_step the step now; not 0 after a restart.
+     * @param start_time the simulated time now, s.
      * @param end_time   of the simulation, s.
      * @param clock      the time of day, which a test may replace.
      */
     Progress(Log          &log,
              std::uint64_t n_cells,
+             std::uint64_t start_step,
              double        start_time,
              double        end_time,
              const Clock  &clock = steady_clock());
@@ -38,11 +40,11 @@ namespace rift
     /**
      * To be called after each step; most calls only look at the clock.
      *
-     * @param steps number of steps since the run began.
-     * @param time  the simulated time, s.
+     * @param step of the whole simulation.
+     * @param time the simulated time, s.
      */
     void
-    update(std::uint64_t steps, double time);
+    update(std::uint64_t step, double time);
 
     /** Takes the bar away. */
     void
@@ -54,10 +56,11 @@ namespace rift
   private:
     /** The numbers behind the bar, such as "step 120  time 3.00e-06 s". */
     std::string
-    numbers(std::uint64_t steps, double fraction, double time) const;
+    numbers(std::uint64_t step, double fraction, double time) const;
 
     Log          &log;
     std::uint64_t n_cells;
+    std::uint64_t start_step;
     double        start_time;
     double        end_time;
     Clock         clock;
@@ -65,7 +68,7 @@ namespace rift
 
     /** When something was last told, s, and how many tenths were done. */
     double       wall_last;
-    unsigned int tenths_last = 0;
+    unsigned int tenths_last;
   };
 
   /** A duration for people: "7 s", "2:05 min", "3:20 h", "2.5 d". */
