@@ -225,6 +225,10 @@ namespace rift
         interface.for_each_open_face = [](const auto &) {};
       }
     contact.emplace(topology, state, body.communicator, std::move(interface));
+    const auto [least, largest] = contact->penalty_range();
+    log.write("Contact: penalties of the cells at surfaces from " +
+              short_text(least) + " to " + short_text(largest) +
+              " Pa, as large as the time step allows");
   }
 
   PenaltySlopes

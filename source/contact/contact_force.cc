@@ -71,6 +71,19 @@ namespace rift
   {
   }
 
+  std::pair<double, double>
+  ContactForce::penalty_range() const
+  {
+    double least_inverse = 0, largest = 0;
+    for (const CellIndex cell : surface.cells())
+      {
+        const double penalty = interface.penalty(cell);
+        least_inverse        = std::max(least_inverse, 1 / penalty);
+        largest              = std::max(largest, penalty);
+      }
+    return {1 / communicator.max(least_inverse), communicator.max(largest)};
+  }
+
   void
   ContactForce::follow(const State &state)
   {

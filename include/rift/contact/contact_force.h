@@ -81,6 +81,11 @@ namespace rift
                  const Communicator &communicator,
                  Interface           interface);
 
+    /** The least and the largest penalty of cells at outer surfaces, Pa.
+     * Collective. */
+    std::pair<double, double>
+    penalty_range() const;
+
     /**
      * Takes in where the cells are now, on all ranks, and finds the pairs
      * anew when that is due. To be called once before the first step and after
