@@ -5,18 +5,16 @@ free end, where it cracks. Prints a table in Markdown.
 
 usage: scripts/compare_spalling.py FIGURE.png LABEL=RESULTS...
 """
-import json
 import os
 import sys
-import xml.etree.ElementTree as ElementTree
 
-import matplotlib
+if len(sys.argv) < 3 or any("=" not in a for a in sys.argv[2:]):
+    sys.exit(__doc__)
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
-import numpy as np
+from rift_output import (import_pyplot, np, read_series, read_summary, read_table,
+                         read_vtu)
 
-from rift_output import read_table, read_vtu
+plt = import_pyplot()
 
 LENGTH, RADIUS = 0.18, 0.019
 TIME_OF_STRESS = 20e-6
@@ -26,22 +24,18 @@ CENTRES = 0.5 * (EDGES[1:] + EDGES[:-1])
 
 def read_state(results, series, time):
     """Pieces of the state nearest to a time."""
-    entries = list(ElementTree.parse(os.path.join(results, series + ".pvd"))
-                   .iter("DataSet"))
-    times = np.array([float(entry.get("timestep")) for entry in entries])
-    nearest = times[np.argmin(np.abs(times - time))]
+    files = read_series(results, series)
+    nearest = min(files, key=lambda t: abs(t - time))
     if abs(nearest - time) > 1e-6:
         sys.exit(f"{results} has no state at {time} s")
-    return [piece for entry, t in zip(entries, times) if t == nearest
-            for piece in read_vtu(os.path.join(results, entry.get("file")))]
+    return [piece for file in files[nearest] for piece in read_vtu(file)]
 
 
 class Run:
     def __init__(self, results):
         probes = read_table(os.path.join(results, "probes.csv"))
         self.time, self.fspv = probes["time [s]"], probes["fspv [m/s]"]
-        with open(os.path.join(results, "summary.json")) as file:
-            self.summary = json.load(file)
+        self.summary = read_summary(results)
         self.read_stress(results)
         self.read_damage(results)
 
@@ -106,7 +100,16 @@ def print_table(runs):
               f"{s['energy_residual_relative']:.1e} |")
 
 
+def warn_of_other_meshes(runs):
+    cells = {label: run.summary["cells"] for label, run in runs.items()}
+    if len(set(cells.values())) > 1:
+        print("WARNING: these runs have other meshes, of so many cells: " +
+              ", ".join(f"{label} {n}" for label, n in cells.items()),
+              file=sys.stderr)
+
+
 def main(figure, runs):
+    warn_of_other_meshes(runs)
     print_table(runs)
     plt.rcParams.update({"font.size": 9, "axes.grid": True, "grid.alpha": 0.3})
     n = len(runs)
@@ -141,7 +144,5 @@ def main(figure, runs):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 3 or any("=" not in a for a in sys.argv[2:]):
-        sys.exit(__doc__)
     main(sys.argv[1], {a.split("=", 1)[0]: Run(a.split("=", 1)[1])
                        for a in sys.argv[2:]})

@@ -7,11 +7,12 @@ usage: scripts/plot_scaling.py PARTS.csv FIGURE.png
 import csv
 import sys
 
-import matplotlib
+if len(sys.argv) != 3:
+    sys.exit(__doc__)
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
-import numpy as np
+from rift_output import import_pyplot, np, read_bytes
+
+plt = import_pyplot()
 
 # Of one core, measured: see doc/benchmarks.md.
 CELL_STEPS_PER_SECOND = 52.9e6
@@ -22,8 +23,7 @@ BYTES_PER_SECOND = 10e9
 
 def read_parts(path):
     """{method: {column: values}}"""
-    with open(path, newline="") as file:
-        rows = list(csv.DictReader(file))
+    rows = list(csv.DictReader(read_bytes(path).decode().splitlines()))
     methods = {}
     for row in rows:
         columns = methods.setdefault(row.pop("method"), {})
@@ -131,6 +131,4 @@ def main(table, figure):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
-        sys.exit(__doc__)
     main(sys.argv[1], sys.argv[2])

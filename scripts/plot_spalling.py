@@ -4,18 +4,16 @@ opening and damage along the axis; and prints the figures of doc/verification.md
 
 usage: scripts/plot_spalling.py RESULTS FIGURE.png
 """
-import json
 import os
 import sys
-import xml.etree.ElementTree as ElementTree
 
-import matplotlib
+if len(sys.argv) != 3:
+    sys.exit(__doc__)
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
-import numpy as np
+from rift_output import (import_pyplot, np, read_series, read_summary, read_table,
+                         read_vtu)
 
-from rift_output import read_table, read_vtu
+plt = import_pyplot()
 
 # x of the planes of the one-dimensional reference (bar of 1 mm cells).
 REFERENCE_PLANES = (82e-3, 103e-3)
@@ -43,12 +41,10 @@ def join(pieces):
 def read_fractures(results):
     """(time, corners, fields) at each time of fracture.pvd, which may list
     several files for a time."""
-    series = ElementTree.parse(os.path.join(results, "fracture.pvd"))
-    pieces = {}
-    for entry in series.iter("DataSet"):
-        pieces.setdefault(float(entry.get("timestep")), []).extend(
-            read_fracture(os.path.join(results, entry.get("file"))))
-    return [(time, *join(pieces[time])) for time in sorted(pieces)]
+    files = read_series(results, "fracture")
+    return [(time, *join([piece for file in files[time]
+                          for piece in read_fracture(file)]))
+            for time in sorted(files)]
 
 
 def axial_areas(corners):
@@ -113,8 +109,7 @@ def time_at(time, values, level):
 def main(results, figure):
     probes = read_table(os.path.join(results, "probes.csv"))
     energy = read_table(os.path.join(results, "energy.csv"))
-    with open(os.path.join(results, "summary.json")) as file:
-        summary = json.load(file)
+    summary = read_summary(results)
     fractures = read_fractures(results)
     _, corners, fields = fractures[-1]
     planes, covered = find_planes(corners, fields)
@@ -173,6 +168,4 @@ def main(results, figure):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
-        sys.exit(__doc__)
     main(sys.argv[1], sys.argv[2])

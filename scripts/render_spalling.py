@@ -6,7 +6,18 @@ usage: xvfb-run -a pvbatch scripts/render_spalling.py RESULTS PICTURE.png
 import os
 import sys
 
-from paraview import simple as pv
+if len(sys.argv) != 3:
+    sys.exit(__doc__)
+for series in ("solid.pvd", "fracture.pvd"):
+    if not os.path.exists(os.path.join(sys.argv[1], series)):
+        sys.exit(f"{sys.argv[0]}: there is no {series} in {sys.argv[1]}. Is it the "
+                 "output directory of a run?")
+
+try:
+    from paraview import simple as pv
+except ImportError:
+    sys.exit(f"{sys.argv[0]} needs the package python3-paraview and pvbatch of the "
+             "package paraview: see usage in the script.")
 
 SCALE = 60
 LEAST_OPENING = 10
@@ -101,6 +112,4 @@ def main(results, picture):
                       CompressionLevel="9")
 
 
-if len(sys.argv) != 3:
-    sys.exit(__doc__)
 main(sys.argv[1], sys.argv[2])

@@ -1,16 +1,57 @@
-"""Reads what rift writes, for the other scripts."""
+"""Reads what rift writes, for the other scripts. They end with one line on
+stderr where a package or a file is missing."""
 import csv
+import importlib
+import json
+import os
 import struct
+import sys
 import xml.etree.ElementTree as ElementTree
 import zlib
 
-import numpy as np
+
+def import_or_exit(module, package):
+    try:
+        return importlib.import_module(module)
+    except ImportError:
+        sys.exit(f"{sys.argv[0]} needs the package {package}; "
+                 f"try /usr/bin/python3 {sys.argv[0]} ...")
+
+
+np = import_or_exit("numpy", "python3-numpy")
+
+
+def import_pyplot():
+    """matplotlib.pyplot, which is to draw into files."""
+    import_or_exit("matplotlib", "python3-matplotlib").use("Agg")
+    return importlib.import_module("matplotlib.pyplot")
+
+
+def read_bytes(path):
+    try:
+        with open(path, "rb") as file:
+            return file.read()
+    except OSError as error:
+        sys.exit(f"{sys.argv[0]}: cannot read {path}: {error.strerror}")
+
+
+def read_summary(results):
+    return json.loads(read_bytes(os.path.join(results, "summary.json")))
+
+
+def read_series(results, name):
+    """{time: paths of the files of that state} of a .pvd."""
+    series = ElementTree.fromstring(read_bytes(os.path.join(results, name + ".pvd")))
+    files = {}
+    for entry in series.iter("DataSet"):
+        files.setdefault(float(entry.get("timestep")), []).append(
+            os.path.join(results, entry.get("file")))
+    return files
 
 
 def read_table(path):
     """{header: values} of a .csv."""
-    with open(path, newline="") as file:
-        rows = list(csv.reader(file))
+    rows = list(csv.reader(read_bytes(path).decode().splitlines()))
     values = np.array(rows[1:], dtype=float)
     return {name: values[:, i] for i, name in enumerate(rows[0])}
 
@@ -42,8 +83,7 @@ def read_fields(element, appended):
 def read_vtu(path):
     """Of each piece of one file: points, points of each cell, fields at points,
     fields of cells."""
-    with open(path, "rb") as file:
-        content = file.read()
+    content = read_bytes(path)
     start = content.index(b"<AppendedData")
     pieces = ElementTree.fromstring(content[:start] + b"</VTKFile>").iter("Piece")
     appended = content[content.index(b"_", start) + 1:]
