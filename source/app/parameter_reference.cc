@@ -162,7 +162,8 @@ namespace rift
            "have no effect is refused.\n\n"
            "Any entry can be set on the command line: `--set "
            "\"Section/Name=value\"`, as in `--set \"Material "
-           "granite/Density=2700\"`.\n\n"
+           "granite/Density=2700\"`. A Material, Boundary or Probe must stand "
+           "in the scene.\n\n"
            "## Top level\n";
     std::string section = "none yet";
     for (const ParameterDeclaration &entry :

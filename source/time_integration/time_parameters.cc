@@ -50,8 +50,7 @@ namespace rift
                    "Largest energy residual",
                    defaults.largest_residual,
                    "The run is stopped when the energy balance is wrong by "
-                   "more than this part of the energy that was put in. "
-                   "Units: 1.");
+                   "more than this part of the energy in play. Units: 1.");
     prm.leave_subsection();
   }
 

@@ -41,7 +41,7 @@ namespace rift
     /** The terms of the energy ledger at the end, J. */
     NamedNumbers energy;
 
-    /** Largest residual of the ledger over the run, per energy put in. */
+    /** Largest residual of the ledger over the run, per energy in play. */
     double energy_residual_relative = 0;
 
     /** Hash of the final displacements and velocities in canonical order. */
