@@ -135,6 +135,7 @@ namespace rift
                   Log                &log)
   {
     communicator.on_root([&] {
+      remove_results_of_end(directory);
       log.reopen(path("log.txt"));
       if (!probes.empty())
         probes_file.emplace(path("probes.csv"),

@@ -4,14 +4,20 @@ namespace rift
 {
   namespace
   {
-    constexpr int stop_signals[] = {SIGTERM, SIGUSR1};
+    constexpr int stop_signals[] = {SIGTERM, SIGUSR1, SIGINT};
 
     // A handler gets no argument of ours, and may only touch this type.
     volatile std::sig_atomic_t was_received = 0;
 
     extern "C" void
-    remember_signal(int)
+    remember_signal(const int signal)
     {
+      if (signal == SIGINT && was_received != 0)
+        {
+          // Comes again when the handler returns, and ends the program.
+          std::signal(SIGINT, SIG_DFL);
+          std::raise(SIGINT);
+        }
       was_received = 1;
     }
   } // namespace
@@ -28,6 +34,8 @@ namespace rift
       {
         struct sigaction old_action = {};
         sigaction(signal, &action, &old_action);
+        if (signal == SIGINT && old_action.sa_handler == SIG_IGN)
+          sigaction(signal, &old_action, nullptr);
         old_actions.push_back(old_action);
       }
   }

@@ -184,6 +184,19 @@ namespace rift
   }
 
   void
+  remove_results_of_end(const std::string &directory)
+  {
+    for (const char *name : {"fragments.csv", "summary.json"})
+      {
+        const fs::path  path = fs::path(directory) / name;
+        std::error_code error;
+        fs::remove(path, error);
+        if (error)
+          throw_disk_error("remove", path.string(), error.value());
+      }
+  }
+
+  void
   reopen_output_directory(const std::string &directory)
   {
     check_name(directory);

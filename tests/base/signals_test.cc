@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 namespace
 {
   using namespace rift;
@@ -17,7 +19,7 @@ namespace
 
 TEST(StopSignals, AreRememberedWhileItLives)
 {
-  for (const int signal : {SIGTERM, SIGUSR1})
+  for (const int signal : {SIGTERM, SIGUSR1, SIGINT})
     {
       std::signal(signal, count);
       n_received = 0;
@@ -26,7 +28,8 @@ TEST(StopSignals, AreRememberedWhileItLives)
         EXPECT_FALSE(signals.requested());
         std::raise(signal);
         EXPECT_TRUE(signals.requested());
-        std::raise(signal);
+        if (signal != SIGINT)
+          std::raise(signal);
         EXPECT_TRUE(signals.requested());
         EXPECT_EQ(n_received, 0);
       }
@@ -35,6 +38,31 @@ TEST(StopSignals, AreRememberedWhileItLives)
       std::signal(signal, SIG_DFL);
       EXPECT_FALSE(StopSignals().requested());
     }
+}
+
+TEST(StopSignals, SecondInterruptEndsTheProgram)
+{
+  for (const int first : {SIGINT, SIGTERM})
+    EXPECT_EXIT(
+      {
+        const StopSignals signals;
+        std::raise(first);
+        std::raise(SIGINT);
+        std::exit(0);
+      },
+      testing::KilledBySignal(SIGINT),
+      "");
+}
+
+TEST(StopSignals, IgnoredInterruptStaysIgnored)
+{
+  std::signal(SIGINT, SIG_IGN);
+  {
+    const StopSignals signals;
+    std::raise(SIGINT);
+    EXPECT_FALSE(signals.requested());
+  }
+  EXPECT_EQ(std::signal(SIGINT, SIG_DFL), SIG_IGN);
 }
 
 TEST(StopSignals, LeaveOthersAlone)

@@ -166,6 +166,18 @@ TEST(OutputDirectory, KeepsEverythingAfterARestart)
   EXPECT_FALSE(exists(directory / "rift.tmp"));
 }
 
+TEST(OutputDirectory, GoesOnWithoutResultsOfTheEnd)
+{
+  const TemporaryDirectory directory;
+  remove_results_of_end(directory.path);
+  for (const std::string name : {"summary.json", "fragments.csv", "energy.csv"})
+    write_file(directory / name, "t");
+  remove_results_of_end(directory.path);
+  EXPECT_FALSE(exists(directory / "summary.json"));
+  EXPECT_FALSE(exists(directory / "fragments.csv"));
+  EXPECT_TRUE(exists(directory / "energy.csv"));
+}
+
 TEST(OutputDirectory, CannotRestartInIt)
 {
   const TemporaryDirectory directory;

@@ -44,6 +44,15 @@ namespace rift
   void
   reopen_output_directory(const std::string &directory);
 
+  /**
+   * Removes the results that a run writes at its end, as a run that goes on is
+   * no longer at its end.
+   *
+   * @throws DiskError if they cannot be removed.
+   */
+  void
+  remove_results_of_end(const std::string &directory);
+
   /** Whether rift gives this name (without folder) to a file of results. */
   bool
   is_result_file(const std::string &name);
