@@ -169,6 +169,11 @@ namespace rift
                      "the top level" :
                      "subsection " + generic(other.section, kinds));
       const std::string unknown = "unknown parameter \"" + entry.name + "\".";
+      if (entry.is_override && entry.section.empty())
+        for (const ParameterDeclaration &other : declared)
+          if (other.section + " " + other.name == entry.name)
+            return unknown + " Write Section/Name=value; did you mean \"" +
+                   other.section + "/" + other.name + "\"?";
       return elsewhere.empty() ?
                unknown + suggestion(entry.name, here) :
                unknown + " It belongs in " + enumeration(elsewhere) + ".";
