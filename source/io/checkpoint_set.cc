@@ -1,6 +1,7 @@
 #include <rift/io/checkpoint_folder.h>
 #include <rift/io/checkpoint_set.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace rift
@@ -115,7 +116,10 @@ namespace rift
           failure_of(result, std::stoull(name), communicator);
         if (failure.empty())
           return result;
-        result.damaged.push_back(failure);
+        // What the sets share, the mesh, is the same failure of each.
+        if (std::find(result.damaged.begin(), result.damaged.end(), failure) ==
+            result.damaged.end())
+          result.damaged.push_back(failure);
       }
     std::string reasons;
     for (const std::string &failure : result.damaged)
@@ -123,6 +127,9 @@ namespace rift
     throw InputError("There is no " +
                      std::string(reasons.empty() ? "" : "undamaged ") +
                      "checkpoint in " + folder.path() + ". " + reasons +
-                     "Start anew, without --restart.");
+                     "Start anew, without --restart; Overwrite = true in "
+                     "subsection Output, or another --output, lets it, and "
+                     "Interval in steps in subsection Checkpoint makes it "
+                     "write checkpoints.");
   }
 } // namespace rift

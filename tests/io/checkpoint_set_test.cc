@@ -173,8 +173,12 @@ TEST(CheckpointSet, NoneIsGood)
   const auto            message = [&] {
     return message_of<Error>([&] { find_checkpoint(directory.path, all); });
   };
+  const std::string advice =
+    "Start anew, without --restart; Overwrite = true in subsection Output, or "
+    "another --output, lets it, and Interval in steps in subsection Checkpoint "
+    "makes it write checkpoints.";
   const std::string none =
-    "There is no checkpoint in " + folder + ". Start anew, without --restart.";
+    "There is no checkpoint in " + folder + ". " + advice;
   EXPECT_EQ(message(), none);
   const CheckpointRun run(directory.path, all, 2);
   EXPECT_EQ(message(), none);
@@ -183,7 +187,7 @@ TEST(CheckpointSet, NoneIsGood)
   alone(all, [&] { write_file(folder + "/20/rank-00000", ""); });
   expect_set(find_checkpoint(directory.path, all), 10, all.size());
 
-  // Without the mesh, none of them is of any use.
+  // Without the mesh, none of them is of any use; that is said once.
   alone(all, [&] {
     std::string bytes = read_file(folder + "/mesh");
     bytes.back() ^= 1;
@@ -193,7 +197,7 @@ TEST(CheckpointSet, NoneIsGood)
     folder + "/mesh is damaged in the block at byte 71. ";
   EXPECT_EQ(message(),
             "There is no undamaged checkpoint in " + folder + ". " + mesh +
-              mesh + "Start anew, without --restart.");
+              advice);
 }
 
 TEST(CheckpointSet, OfAnotherRun)
