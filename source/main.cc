@@ -79,6 +79,8 @@ namespace
   {
     const int  code   = static_cast<int>(exit_code);
     const bool failed = all_have_failed(communicator);
+    // What was printed before the error stands before it.
+    std::cout.flush();
     if (!failed || dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
       // In one piece, since mpirun mixes the pieces of both outputs.
       std::cerr << "rift: error: " + message + "\n";
