@@ -149,11 +149,14 @@ namespace rift
   ContactForce::take(const std::vector<ContactCell>      &cells,
                      const std::vector<ContactCandidate> &candidates)
   {
-    std::map<std::pair<GlobalCellIndex, GlobalCellIndex>, Pair> known;
-    for (const Pair &pair : pairs)
-      known.emplace(
-        std::make_pair(members[pair.a].cell.cell, members[pair.b].cell.cell),
-        pair);
+    // Old and new pairs are in the same order.
+    const std::vector<Member> old_members = std::move(members);
+    const std::vector<Pair>   old_pairs   = std::move(pairs);
+    const auto                name_of     = [&](const Pair &pair) {
+      return std::make_pair(old_members[pair.a].cell.cell,
+                            old_members[pair.b].cell.cell);
+    };
+    auto old = old_pairs.begin();
 
     std::vector<CellIndex> local;
     for (const ContactCell &cell : cells)
@@ -174,10 +177,12 @@ namespace rift
           local[candidate.b] != invalid_index)
         {
           const ContactCell &a = cells[candidate.a], &b = cells[candidate.b];
-          const auto         old = known.find({a.cell, b.cell});
-          Pair               pair{};
-          if (old != known.end())
-            pair = old->second;
+          const auto         name = std::make_pair(a.cell, b.cell);
+          while (old != old_pairs.end() && name_of(*old) < name)
+            ++old;
+          Pair pair{};
+          if (old != old_pairs.end() && name_of(*old) == name)
+            pair = *old;
           else
             pair.memory.free_potential =
               overlap(a.motion.positions, b.motion.positions).potential;
@@ -189,8 +194,6 @@ namespace rift
                             a.mass * b.mass / (a.mass + b.mass)};
           pairs.push_back(pair);
         }
-    // What friction has stored in pairs that are no longer near is used up:
-    // they do not touch, so that there is nothing.
     ask_owners();
   }
 

@@ -1,0 +1,134 @@
+// Contact of loose cells per second: a cube in pieces of one cell each, which
+// are all a little larger than their place, so that each presses against its
+// four neighbours and those at its edges, or a little smaller.
+
+#include <rift/contact/contact_force.h>
+
+#include <benchmark/benchmark.h>
+
+#include "granite.h"
+
+namespace rift::test
+{
+  namespace
+  {
+    class LooseCells
+    {
+    public:
+      /** @param growth of the cells about their centres. */
+      LooseCells(const unsigned int n, const double growth)
+        : body(discretize(make_box({{n, n, n}}, granite_edge, .15),
+                          {granite().density},
+                          {true}))
+        , activity(body.topology)
+        , contact(body.topology, body.state, communicator, interface())
+      {
+        const Topology &topology = body.topology;
+        for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
+          {
+            if (topology.is_padding(cell))
+              continue;
+            const Tetrahedron x =
+              motion_of(topology, body.state, cell).positions;
+            const Vector3<double> centre = .25 * (x[0] + x[1] + x[2] + x[3]);
+            for (unsigned int c = 0; c < n_corners; ++c)
+              for (unsigned int d = 0; d < dim; ++d)
+                body.state.displacement[topology.node(cell, c)][d] =
+                  growth * (x[c][d] - centre[d]);
+          }
+        activity.wake_all(topology);
+      }
+
+      DiscreteBody body;
+      Communicator communicator;
+      Activity     activity;
+      ContactForce contact;
+
+    private:
+      /** All faces have opened. */
+      ContactForce::Interface
+      interface() const
+      {
+        ContactForce::Interface result;
+        result.penalty        = [](CellIndex) { return 1e10; };
+        result.mass           = [](CellIndex) { return 1.; };
+        result.friction       = [](std::uint32_t, std::uint32_t) { return .5; };
+        result.damping        = 0;
+        result.is_held        = [](FaceIndex) { return false; };
+        result.n_crack_events = [] { return std::uint64_t(1); };
+        result.for_each_open_face = [this](const auto &f) {
+          for (FaceIndex face = 0; face < body.topology.faces.size(); ++face)
+            f(face);
+        };
+        return result;
+      }
+    };
+
+    void
+    report(benchmark::State &bench, const LooseCells &cells)
+    {
+      const double n                      = cells.body.topology.n_cells();
+      bench.counters["cells"]             = n;
+      bench.counters["touching_per_cell"] = cells.contact.count_touching() / n;
+      bench.counters["cell_steps"] =
+        benchmark::Counter(n * bench.iterations(), benchmark::Counter::kIsRate);
+    }
+
+    /** Looking for all pairs anew. */
+    void
+    search(benchmark::State &bench)
+    {
+      LooseCells cells(bench.range(0), -1e-3);
+      for (auto _ : bench)
+        {
+          // Far enough for a search each time.
+          for (NodalVector &u : cells.body.state.displacement)
+            u[0] += granite_edge;
+          cells.contact.follow(cells.body.state);
+        }
+      report(bench, cells);
+    }
+
+    /** A step between two searches. */
+    void
+    step(benchmark::State &bench, const double growth)
+    {
+      LooseCells cells(bench.range(0), growth);
+      // After the search cells press or leave each other.
+      cells.contact.follow(cells.body.state);
+      cells.body.state.step = 1;
+      for (auto _ : bench)
+        {
+          cells.contact.follow(cells.body.state);
+          cells.contact.add_to(cells.body.state, cells.activity, 1e-8);
+        }
+      report(bench, cells);
+    }
+
+    void
+    step_apart(benchmark::State &bench)
+    {
+      step(bench, -1e-3);
+    }
+
+    void
+    step_pressed(benchmark::State &bench)
+    {
+      step(bench, 1e-3);
+    }
+
+    BENCHMARK(search)->Arg(6)->Arg(12)->Arg(26)->Arg(55)->Unit(
+      benchmark::kMillisecond);
+    BENCHMARK(step_apart)
+      ->Arg(6)
+      ->Arg(12)
+      ->Arg(26)
+      ->Arg(55)
+      ->Unit(benchmark::kMillisecond);
+    BENCHMARK(step_pressed)
+      ->Arg(6)
+      ->Arg(12)
+      ->Arg(26)
+      ->Unit(benchmark::kMillisecond);
+  } // namespace
+} // namespace rift::test
