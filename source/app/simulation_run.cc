@@ -109,7 +109,8 @@ namespace rift
                         " in ") +
       duration_text(timer.total()) + "; " + std::to_string(faces.opened) +
       " faces opened, largest residual of the energy ledger " +
-      short_text(ledger.largest_relative_residual()) + " of the energy in play");
+      short_text(ledger.largest_relative_residual()) +
+      " of the energy in play");
     if (faces.too_short > 0)
       log.write("WARNING: " + std::to_string(faces.too_short) + " of " +
                 std::to_string(faces.opened) +

@@ -87,11 +87,11 @@ TEST(MohrCoulomb, WhatNodesTransmittedUnderPressureIsSharedOut)
       const double friction = strength.tan_friction_angle * pressure;
       const double gift =
         specimen.hold({{-pressure, strength.cohesion + friction, 0}});
-      EXPECT_NEAR(gift,
-                  (std::pow(pressure, 2) +
-                   std::pow(strength.cohesion + friction, 2)) /
-                    (2 * slope),
-                  1e-12 * gift);
+      EXPECT_NEAR(
+        gift,
+        (std::pow(pressure, 2) + std::pow(strength.cohesion + friction, 2)) /
+          (2 * slope),
+        1e-12 * gift);
       const double slip = 1.3 * full_slip;
       specimen.go_to({{0, slip, 0}}, 20000);
       EXPECT_NEAR(specimen.fracture - specimen.given.fracture,

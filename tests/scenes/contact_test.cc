@@ -220,17 +220,17 @@ TEST(Contact, BlockOnAnInclineStaysOrSlides)
                     "Body force/Gravity=%.15g, 0, %.15g",
                     g * std::sin(angle),
                     -g * std::cos(angle));
-      Log            log(nullptr);
-      Simulation     simulation(scene("block.prm",
-                                  {gravity,
-                                       "Material block/Initial velocity=0, 0, 0",
-                                       "Material block/Viscosity=4e4",
-                                       "Material table/Viscosity=4e4",
-                                       "Mesh/Element size=1e-2",
-                                       "Time/End time=0.5e-3"}),
-                            log);
-      FlushDenormals flush_denormals;
-      const State   &state = simulation.state();
+      Log              log(nullptr);
+      const Parameters slope = scene("block.prm",
+                                     {gravity,
+                                      "Material block/Initial velocity=0, 0, 0",
+                                      "Material block/Viscosity=4e4",
+                                      "Material table/Viscosity=4e4",
+                                      "Mesh/Element size=1e-2",
+                                      "Time/End time=0.5e-3"});
+      Simulation       simulation(slope, log);
+      FlushDenormals   flush_denormals;
+      const State     &state = simulation.state();
       // Mean displacement of the block at 0.3, 0.4 and 0.5 ms.
       std::vector<double> ways;
       while (state.step < simulation.n_steps())

@@ -431,11 +431,11 @@ namespace rift
     t[0]            = select(open, zero, t[0]);
 
     // By the trapezoidal rule, as the central differences do their work, and
-    // what a branch releases as its peak falls: what is left of that work is the
-    // change of the elastic energy (on a straight branch exactly). Of what sliding takes, the
-    // cohesion has its own and friction the rest. That a failed point leaves
-    // contact in the midst of a step is an error of the time integration, not
-    // fracture: it belongs to the residual.
+    // what a branch releases as its peak falls: what is left of that work is
+    // the change of the elastic energy (on a straight branch exactly). Of what
+    // sliding takes, the cohesion has its own and friction the rest. That a
+    // failed point leaves contact in the midst of a step is an error of the
+    // time integration, not fracture: it belongs to the residual.
     const Number of_opening = select(open & (former[0] < zero),
                                      zero,
                                      .5 * (t[0] + former[0]) * opening);
