@@ -11,6 +11,15 @@ namespace rift
     /** With steeper ones, sliding faces were seen to make energy, rad. */
     constexpr double largest_friction_angle = 80.001 * M_PI / 180;
 
+    /**
+     * Of the modulus of elasticity. One that is mistaken for MPa lies below, as
+     * strengths are less than a tenth of the modulus.
+     */
+    constexpr double smallest_strength = 1e-7;
+
+    /** Of anything that breaks, J/m^2; glass has 4 to 10. */
+    constexpr double smallest_fracture_energy = 1;
+
     using Matrix6 = std::array<std::array<double, 6>, 6>;
 
     // The stiffness in Kelvin's form, in which stress and strain are vectors
@@ -153,6 +162,40 @@ namespace rift
         refuse("Axis 2", "this is parallel to Axis 1.");
     }
 
+    /** Young's modulus, or the largest stiffness there is, Pa. */
+    double
+    typical_modulus(const MaterialParameters &material)
+    {
+      if (material.elasticity == MaterialParameters::Elasticity::isotropic)
+        return material.youngs_modulus;
+      return *std::max_element(material.stiffness.begin(),
+                               material.stiffness.end());
+    }
+
+    /** Strengths of solids are 1e-5 to 1e-1 of their moduli. */
+    void
+    check_unit(const MaterialParameters &material,
+               const double              strength,
+               const std::string        &name,
+               const Refuse             &refuse)
+    {
+      const double modulus = typical_modulus(material);
+      if (strength > modulus)
+        refuse(name,
+               "this is more than the modulus of elasticity, " +
+                 short_text(modulus) +
+                 " Pa; no rock, glass or metal is so strong. Is one of the two "
+                 "in another "
+                 "unit? rift uses Pa.");
+      if (strength > 0 && strength < smallest_strength * modulus)
+        refuse(name,
+               "this is " + short_text(strength / modulus) +
+                 " of the modulus of elasticity; no rock, glass or metal is so "
+                 "weak. Is it "
+                 "in MPa? rift uses Pa: write " +
+                 short_text(1e6 * strength) + ".");
+    }
+
     void
     check_strength(const MaterialParameters &material, const Refuse &refuse)
     {
@@ -164,6 +207,11 @@ namespace rift
             std::make_pair("Fracture energy II", material.fracture_energy_2)})
         if (!(value >= 0))
           refuse(name, "this cannot be negative.");
+      check_unit(material,
+                 material.tensile_strength,
+                 "Tensile strength",
+                 refuse);
+      check_unit(material, material.cohesion, "Cohesion", refuse);
       if (!(material.friction_angle >= 0 &&
             material.friction_angle <= largest_friction_angle))
         refuse("Friction angle",
@@ -187,6 +235,21 @@ namespace rift
     else
       check_anisotropic(*this, refuse);
     check_strength(*this, refuse);
+  }
+
+  std::vector<std::string>
+  MaterialParameters::doubts() const
+  {
+    std::vector<std::string> result;
+    for (const auto &[entry, value] :
+         {std::make_pair("Fracture energy I", fracture_energy_1),
+          std::make_pair("Fracture energy II", fracture_energy_2)})
+      if (value > 0 && value < smallest_fracture_energy)
+        result.push_back("Material " + name + "/" + entry + " = " +
+                         short_text(value) +
+                         " is less than rock, glass and metal have. Is it in "
+                         "N/mm or kJ/m^2? rift uses J/m^2.");
+    return result;
   }
 
   void

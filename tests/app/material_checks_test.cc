@@ -77,9 +77,11 @@ TEST(MaterialChecks, BoundsOfDensityAndWaveSpeed)
     }
 
   // With nu = 0 the modulus of P-waves is E: 100 and 15000 m/s are the ends.
-  material                = granite();
-  material.density        = 1000;
-  material.poissons_ratio = 0;
+  material                  = granite();
+  material.density          = 1000;
+  material.poissons_ratio   = 0;
+  material.breakable        = false;
+  material.tensile_strength = material.cohesion = 0;
   for (const auto &[speed, is_good] : {std::make_pair(99.9, false),
                                        std::make_pair(100.1, true),
                                        std::make_pair(14990., true),
@@ -152,6 +154,51 @@ TEST(MaterialChecks, Strength)
   EXPECT_NE(problem(material), "");
   material.breakable = false;
   EXPECT_EQ(problem(material), "");
+}
+
+TEST(MaterialChecks, StrengthInAnotherUnit)
+{
+  MaterialParameters material = granite();
+  material.tensile_strength   = 15;
+  EXPECT_EQ(problem(material),
+            "Tensile strength: this is 3.695e-10 of the modulus of elasticity; "
+            "no rock, glass or metal is so weak. Is it in MPa? rift uses Pa: "
+            "write 1.5e+07.");
+  material.tensile_strength = 41e9;
+  EXPECT_EQ(problem(material),
+            "Tensile strength: this is more than the modulus of elasticity, "
+            "4.06e+10 Pa; no rock, glass or metal is so strong. Is one of the "
+            "two in another "
+            "unit? rift uses Pa.");
+  for (const double strength : {4.1e3, 40e9})
+    {
+      material.tensile_strength = material.cohesion = strength;
+      EXPECT_EQ(problem(material), "") << strength;
+    }
+  material.cohesion = 36.7;
+  EXPECT_EQ(problem(material).substr(0, 40),
+            "Cohesion: this is 9.039e-10 of the modul");
+
+  // The largest entry of the stiffness is 36 GPa.
+  material                  = with_moduli(20e9, 12e9);
+  material.tensile_strength = 3.5e3;
+  EXPECT_EQ(problem(material).substr(0, 42),
+            "Tensile strength: this is 9.722e-08 of the");
+  material.tensile_strength = 3.7e3;
+  EXPECT_EQ(problem(material), "");
+}
+
+TEST(MaterialChecks, FractureEnergyInAnotherUnit)
+{
+  MaterialParameters material = granite();
+  material.fracture_energy_1  = 1;
+  EXPECT_TRUE(material.doubts().empty());
+  material.fracture_energy_2 = .4;
+  ASSERT_EQ(material.doubts().size(), 1u);
+  EXPECT_EQ(
+    material.doubts()[0],
+    "Material granite/Fracture energy II = 0.4 is less than rock, glass "
+    "and metal have. Is it in N/mm or kJ/m^2? rift uses J/m^2.");
 }
 
 TEST(MaterialChecks, InertEntries)

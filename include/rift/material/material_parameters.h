@@ -81,11 +81,16 @@ namespace rift
      * Throws ParameterError for a density outside 500..25000 kg/m^3, a P-wave
      * speed outside 100..15000 m/s (both mostly a wrong unit), moduli that
      * store negative energy, parallel axes, a negative viscosity, negative
-     * strengths or fracture energies, a friction angle outside [0, 90) degrees
-     * and a Weibull modulus between 0 and 1.
+     * strengths or fracture energies, strengths that are not zero and outside
+     * 1e-7..1 of the modulus of elasticity, a friction angle outside [0, 80]
+     * degrees and a Weibull modulus between 0 and 1.
      */
     void
     check() const;
+
+    /** Sentences about values that may be in a wrong unit, for warnings. */
+    std::vector<std::string>
+    doubts() const;
 
     /**
      * Throws ParameterError if the material may break and one of its strengths
