@@ -17,6 +17,9 @@ namespace rift
     /** No body stands a step above the bound by this. */
     constexpr double largest_step_over_bound = 10;
 
+    /** More are worth a warning. */
+    constexpr double usual_number_of_steps = 1e7;
+
     /** Years of computing; more is a mistake in the scene. */
     constexpr double largest_number_of_steps = 1e12;
 
@@ -296,6 +299,8 @@ namespace rift
               short_text(dt / critical.time_step) + " times the bound set by " +
               critical.limited_by + "; " + std::to_string(last_step) +
               " steps");
+    if (n_steps > usual_number_of_steps)
+      log.write("WARNING: these are many steps. Is the end time in seconds?");
     if (dt > largest_step_over_bound * critical.time_step)
       throw InputError("the time step of " + to_text(dt) + " s is " +
                        short_text(dt / critical.time_step) +
