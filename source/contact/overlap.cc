@@ -1,15 +1,16 @@
+#include <rift/base/simd.h>
 #include <rift/contact/overlap.h>
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 namespace rift
 {
   namespace
   {
     /** Barycentric coordinates in one tetrahedron. */
-    using Coordinates = std::array<double, 4>;
+    using Coordinates = Row;
+    using Mask        = std::int64_t __attribute__((vector_size(32)));
 
     /** A point by its coordinates in A and in B, which depend on each other
      * linearly: points between points need nothing else. */
@@ -18,7 +19,11 @@ namespace rift
       Coordinates in_a, in_b;
     };
 
-    using Simplex = std::array<Point, 4>;
+    /** The coordinates of the corners of one tetrahedron in the other. */
+    using Corners = std::array<Coordinates, 4>;
+
+    /** The corners of a simplex, which others share. */
+    using Simplex = std::array<const Point *, 4>;
 
     /** Volume of a part of a simplex, m^3, and the integrals of the coordinates
      * over it. */
@@ -36,53 +41,135 @@ namespace rift
       {
         const Vector3<double> e1 = t[1] - t[0], e2 = t[2] - t[0],
                               e3 = t[3] - t[0];
-        const Vector3<double> n1 = cross(e2, e3);
-        const double          d  = dot(e1, n1);
+        const Vector3<double> n1 = cross(e2, e3), n2 = cross(e3, e1),
+                              n3 = cross(e1, e2);
+        const double d           = dot(e1, n1);
         volume                   = d / 6;
-        gradients[1]             = (1 / d) * n1;
-        gradients[2]             = (1 / d) * cross(e3, e1);
-        gradients[3]             = (1 / d) * cross(e1, e2);
-        gradients[0] = -1. * (gradients[1] + gradients[2] + gradients[3]);
+        for (unsigned int k = 0; k < 3; ++k)
+          gradients[k] =
+            (1 / d) * Row{-(n1[k] + n2[k] + n3[k]), n1[k], n2[k], n3[k]};
       }
 
       Coordinates
       coordinates(const Vector3<double> &x) const
       {
-        Coordinates c;
-        for (unsigned int i = 1; i < 4; ++i)
-          c[i] = dot(gradients[i], x - origin);
-        c[0] = 1 - c[1] - c[2] - c[3];
+        Coordinates c = {1, 0, 0, 0};
+        for (unsigned int k = 0; k < 3; ++k)
+          c += (x[k] - origin[k]) * gradients[k];
         return c;
       }
 
-      Vector3<double>                origin;
-      std::array<Vector3<double>, 4> gradients;
-      double                         volume;
+      Corners
+      coordinates(const Tetrahedron &t) const
+      {
+        return {{coordinates(t[0]),
+                 coordinates(t[1]),
+                 coordinates(t[2]),
+                 coordinates(t[3])}};
+      }
+
+      Vector3<double> origin;
+
+      /** Component by component. */
+      std::array<Row, 3> gradients;
+      double             volume;
     };
 
-    Point
-    between(const Point &p, const Point &q, const double t)
+    /** How a plane cuts a simplex. */
+    struct Cut
     {
-      Point r;
-      for (unsigned int i = 0; i < 4; ++i)
+      /** Of the corners, those inside first. */
+      std::array<unsigned int, 4> order;
+      unsigned int                n_inside;
+    };
+
+    /** One for each set of corners outside, of which these are the bits. */
+    constexpr std::array<Cut, 16>
+    make_cuts()
+    {
+      std::array<Cut, 16> cuts{};
+      for (unsigned int outside = 0; outside < 16; ++outside)
         {
-          r.in_a[i] = p.in_a[i] + t * (q.in_a[i] - p.in_a[i]);
-          r.in_b[i] = p.in_b[i] + t * (q.in_b[i] - p.in_b[i]);
+          Cut         &cut = cuts[outside];
+          unsigned int n   = 0;
+          for (unsigned int c = 0; c < 4; ++c)
+            if ((outside >> c & 1) == 0)
+              cut.order[n++] = c;
+          cut.n_inside = n;
+          for (unsigned int c = 0; c < 4; ++c)
+            if ((outside >> c & 1) == 1)
+              cut.order[n++] = c;
         }
-      return r;
+      return cuts;
     }
+
+    constexpr std::array<Cut, 16> cuts = make_cuts();
+
+    /** A plane that cuts a simplex. */
+    class Plane
+    {
+    public:
+      /** The one of the other tetrahedron with the fewest corners inside: it
+       * leaves least to do for the others. */
+      explicit Plane(const Simplex &simplex)
+      {
+        Mask outside{};
+        for (unsigned int c = 0; c < 4; ++c)
+          outside |= (simplex[c]->in_b < 0) & (1 << c);
+        // Number of corners inside, corners outside, and number of the plane in
+        // one, so that it is chosen without branches.
+        std::int64_t best = std::numeric_limits<std::int64_t>::max();
+        for (unsigned int k = 0; k < 4; ++k)
+          best = std::min(best,
+                          std::int64_t{cuts[outside[k]].n_inside} * 64 +
+                            outside[k] * 4 + k);
+        cut    = &cuts[best / 4 % 16];
+        number = best % 4;
+      }
+
+      const Cut &
+      how() const
+      {
+        return *cut;
+      }
+
+      /** How far it is from a corner inside to the plane, on the way to one
+       * outside. */
+      double
+      share(const Point &in, const Point &out) const
+      {
+        return in.in_b[number] / (in.in_b[number] - out.in_b[number]);
+      }
+
+      /** The point there: exactly in the plane, which it is not cut by again.
+       */
+      Point
+      between(const Point &in, const Point &out, const double share) const
+      {
+        constexpr Mask others[4] = {{0, -1, -1, -1},
+                                    {-1, 0, -1, -1},
+                                    {-1, -1, 0, -1},
+                                    {-1, -1, -1, 0}};
+        const Row      in_b      = in.in_b + share * (out.in_b - in.in_b);
+        return {in.in_a + share * (out.in_a - in.in_a),
+                (Row)((Mask)in_b & others[number])};
+      }
+
+    private:
+      const Cut   *cut;
+      unsigned int number;
+    };
 
     /** Adds a simplex that is in all half-spaces. */
     void
     add(const Simplex &simplex, const double volume, Part &part)
     {
+      const auto &[p0, p1, p2, p3] = simplex;
       part.volume += volume;
-      for (unsigned int i = 0; i < 4; ++i)
-        for (const Point &p : simplex)
-          {
-            part.moment.in_a[i] += volume / 4 * p.in_a[i];
-            part.moment.in_b[i] += volume / 4 * p.in_b[i];
-          }
+      part.moment.in_a +=
+        volume / 4 * ((p0->in_a + p1->in_a) + (p2->in_a + p3->in_a));
+      part.moment.in_b +=
+        volume / 4 * ((p0->in_b + p1->in_b) + (p2->in_b + p3->in_b));
     }
 
     /**
@@ -92,87 +179,74 @@ namespace rift
      * continuously on the corners through all types of intersection.
      *
      * @param volume of the simplex, m^3.
-     * @param plane the coordinates in B before this one are known not to be
-     *   negative.
      */
     void
-    clip(Simplex simplex, const double volume, unsigned int plane, Part &part)
+    clip(const Simplex &simplex, const double volume, Part &part)
     {
-      for (; plane < 4; ++plane)
+      if (volume == 0)
+        return;
+      const Plane  plane(simplex);
+      const auto  &order = plane.how().order;
+      const Point &p0 = *simplex[order[0]], &p1 = *simplex[order[1]],
+                  &p2 = *simplex[order[2]], &p3 = *simplex[order[3]];
+      switch (plane.how().n_inside)
         {
-          // The corners inside first.
-          unsigned int n_inside = 0;
-          for (unsigned int i = 0; i < 4; ++i)
-            if (simplex[i].in_b[plane] >= 0)
-              std::swap(simplex[i], simplex[n_inside++]);
-          if (n_inside == 0)
-            return;
-          if (n_inside == 4)
-            continue;
-
-          const auto &[p0, p1, p2, p3] = simplex;
-          // How far it is from a corner inside to the plane, on the way to one
-          // outside.
-          const auto share = [plane](const Point &in, const Point &out) {
-            return in.in_b[plane] / (in.in_b[plane] - out.in_b[plane]);
-          };
-          if (n_inside == 1)
-            {
-              const double t1 = share(p0, p1), t2 = share(p0, p2),
-                           t3 = share(p0, p3);
-              simplex         = {{p0,
-                                  between(p0, p1, t1),
-                                  between(p0, p2, t2),
-                                  between(p0, p3, t3)}};
-              clip(simplex, volume * t1 * t2 * t3, plane + 1, part);
-            }
-          else if (n_inside == 2)
-            {
-              const double t02 = share(p0, p2), t03 = share(p0, p3),
-                           t12 = share(p1, p2), t13 = share(p1, p3);
-              const Point c02 = between(p0, p2, t02),
-                          c03 = between(p0, p3, t03),
-                          c12 = between(p1, p2, t12),
-                          c13 = between(p1, p3, t13);
-              clip({{p0, p1, c02, c03}}, volume * t02 * t03, plane + 1, part);
-              clip({{c02, c03, p1, c12}},
-                   volume * (1 - t02) * t03 * t12,
-                   plane + 1,
-                   part);
-              clip({{c03, p1, c12, c13}},
-                   volume * (1 - t03) * t12 * t13,
-                   plane + 1,
-                   part);
-            }
-          else
-            {
-              const double t0 = share(p0, p3), t1 = share(p1, p3),
-                           t2 = share(p2, p3);
-              const Point c0 = between(p0, p3, t0), c1 = between(p1, p3, t1),
-                          c2 = between(p2, p3, t2);
-              clip({{p0, p1, p2, c2}}, volume * t2, plane + 1, part);
-              clip({{p0, p1, c1, c2}}, volume * t1 * (1 - t2), plane + 1, part);
-              clip({{p0, c0, c1, c2}},
-                   volume * t0 * (1 - t1) * (1 - t2),
-                   plane + 1,
-                   part);
-            }
+        case 0:
           return;
+        case 1:
+          {
+            const double t1 = plane.share(p0, p1), t2 = plane.share(p0, p2),
+                         t3 = plane.share(p0, p3);
+            const Point c1  = plane.between(p0, p1, t1),
+                        c2  = plane.between(p0, p2, t2),
+                        c3  = plane.between(p0, p3, t3);
+            clip({{&p0, &c1, &c2, &c3}}, volume * t1 * t2 * t3, part);
+            return;
+          }
+        case 2:
+          {
+            const double t02 = plane.share(p0, p2), t03 = plane.share(p0, p3),
+                         t12 = plane.share(p1, p2), t13 = plane.share(p1, p3);
+            const Point c02 = plane.between(p0, p2, t02),
+                        c03 = plane.between(p0, p3, t03),
+                        c12 = plane.between(p1, p2, t12),
+                        c13 = plane.between(p1, p3, t13);
+            clip({{&p0, &p1, &c02, &c03}}, volume * t02 * t03, part);
+            clip({{&c02, &c03, &p1, &c12}},
+                 volume * (1 - t02) * t03 * t12,
+                 part);
+            clip({{&c03, &p1, &c12, &c13}},
+                 volume * (1 - t03) * t12 * t13,
+                 part);
+            return;
+          }
+        case 3:
+          {
+            const double t0 = plane.share(p0, p3), t1 = plane.share(p1, p3),
+                         t2 = plane.share(p2, p3);
+            const Point c0  = plane.between(p0, p3, t0),
+                        c1  = plane.between(p1, p3, t1),
+                        c2  = plane.between(p2, p3, t2);
+            clip({{&p0, &p1, &p2, &c2}}, volume * t2, part);
+            clip({{&p0, &p1, &c1, &c2}}, volume * t1 * (1 - t2), part);
+            clip({{&p0, &c0, &c1, &c2}},
+                 volume * t0 * (1 - t1) * (1 - t2),
+                 part);
+            return;
+          }
+        default:
+          add(simplex, volume, part);
         }
-      add(simplex, volume, part);
     }
 
     /** Whether all corners are on the outer side of a face of the other. */
     bool
-    is_outside(const Simplex &corners)
+    is_outside(const Corners &c)
     {
-      for (unsigned int plane = 0; plane < 4; ++plane)
-        if (std::none_of(corners.begin(),
-                         corners.end(),
-                         [plane](const Point &p) { return p.in_b[plane] > 0; }))
-          return true;
-      return false;
+      const Mask is_inside = (c[0] > 0) | (c[1] > 0) | (c[2] > 0) | (c[3] > 0);
+      return (is_inside[0] & is_inside[1] & is_inside[2] & is_inside[3]) == 0;
     }
+
     /**
      * Adds the potential of A over the overlap, and its derivatives. A consists
      * of four simplices between the centroid and a face each, in which the
@@ -185,74 +259,69 @@ namespace rift
     Part
     add_potential(const Frame                    &a,
                   const Frame                    &b,
-                  const Simplex                  &corners,
+                  const Corners                  &corners_in_b,
                   double                         &potential,
                   std::array<Vector3<double>, 4> &gradient_a,
                   std::array<Vector3<double>, 4> &gradient_b)
     {
-      Part  whole;
-      Point centroid{};
-      for (unsigned int i = 0; i < 4; ++i)
-        for (const Point &p : corners)
-          {
-            centroid.in_a[i] += p.in_a[i] / 4;
-            centroid.in_b[i] += p.in_b[i] / 4;
-          }
-
+      std::array<Point, 4> corners;
+      Point                centroid{};
       for (unsigned int i = 0; i < 4; ++i)
         {
-          Simplex simplex = corners;
-          simplex[i]      = centroid;
-          if (is_outside(simplex))
-            continue;
+          corners[i].in_a    = Row{};
+          corners[i].in_a[i] = 1;
+          corners[i].in_b    = corners_in_b[i];
+          centroid.in_a += corners[i].in_a / 4;
+          centroid.in_b += corners[i].in_b / 4;
+        }
+
+      Part         whole;
+      Vector3<Row> by_a{}, by_b{};
+      double       sum = 0;
+      for (unsigned int i = 0; i < 4; ++i)
+        {
+          Simplex simplex{{&corners[0], &corners[1], &corners[2], &corners[3]}};
+          simplex[i] = &centroid;
           Part part;
-          clip(simplex, a.volume / 4, 0, part);
+          clip(simplex, a.volume / 4, part);
           if (part.volume == 0)
             continue;
 
-          const auto &[in_a, in_b] = part.moment;
-          potential += in_a[i];
+          sum += part.moment.in_a[i];
           whole.volume += part.volume;
-          for (unsigned int c = 0; c < 4; ++c)
+          whole.moment.in_a += part.moment.in_a;
+          whole.moment.in_b += part.moment.in_b;
+          for (unsigned int d = 0; d < 3; ++d)
             {
-              whole.moment.in_a[c] += in_a[c];
-              whole.moment.in_b[c] += in_b[c];
-              gradient_a[c] -= in_a[c] * a.gradients[i];
-              gradient_b[c] +=
-                in_b[c] * a.gradients[i] + in_a[i] * b.gradients[c];
+              by_a[d] -= a.gradients[d][i] * part.moment.in_a;
+              by_b[d] += a.gradients[d][i] * part.moment.in_b;
             }
         }
+      potential += sum;
+      for (unsigned int d = 0; d < 3; ++d)
+        for (unsigned int c = 0; c < 4; ++c)
+          {
+            gradient_a[c][d] += by_a[d][c];
+            gradient_b[c][d] += by_b[d][c] + sum * b.gradients[d][c];
+          }
       return whole;
-    }
-
-    /** The corners of `a`, the coordinates in `a` first. */
-    Simplex
-    corners_of(const Tetrahedron &a, const Frame &b)
-    {
-      Simplex corners{};
-      for (unsigned int i = 0; i < 4; ++i)
-        {
-          corners[i].in_a[i] = 1;
-          corners[i].in_b    = b.coordinates(a[i]);
-        }
-      return corners;
     }
 
     /** From the face of `a` from which `b` is farthest, m. */
     double
     distance_from_faces(const Frame &a, const Tetrahedron &b)
     {
-      Coordinates largest;
-      largest.fill(-std::numeric_limits<double>::max());
-      for (const Vector3<double> &x : b)
-        {
-          const Coordinates c = a.coordinates(x);
-          for (unsigned int i = 0; i < 4; ++i)
-            largest[i] = std::max(largest[i], c[i]);
-        }
+      const Corners corners = a.coordinates(b);
+      Coordinates   largest = corners[0];
+      for (const Coordinates &c : corners)
+        largest = largest > c ? largest : c;
       double distance = -std::numeric_limits<double>::max();
       for (unsigned int i = 0; i < 4; ++i)
-        distance = std::max(distance, -largest[i] / norm(a.gradients[i]));
+        {
+          const Vector3<double> gradient{
+            {a.gradients[0][i], a.gradients[1][i], a.gradients[2][i]}};
+          distance = std::max(distance, -largest[i] / norm(gradient));
+        }
       return distance;
     }
   } // namespace
@@ -267,12 +336,13 @@ namespace rift
   Overlap
   overlap(const Tetrahedron &a, const Tetrahedron &b)
   {
-    const Frame   frame_a(a), frame_b(b);
-    const Simplex corners_a = corners_of(a, frame_b);
+    const Frame   frame_b(b);
+    const Corners corners_a = frame_b.coordinates(a);
     Overlap       result;
     if (is_outside(corners_a))
       return result;
-    const Simplex corners_b = corners_of(b, frame_a);
+    const Frame   frame_a(a);
+    const Corners corners_b = frame_a.coordinates(b);
     if (is_outside(corners_b))
       return result;
 
