@@ -1,4 +1,4 @@
-// A block on a table. Lengths in m; tilt is the angle of gravity, not of this.
+// A block on a table. Lengths in m.
 SetFactory("OpenCASCADE");
 DefineConstant[ element_size = 5e-3 ];
 

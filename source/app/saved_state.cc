@@ -20,7 +20,7 @@ namespace rift
   template <>
   struct HasPlainBytes<ContactPairRecord> : std::true_type
   {
-    static_assert(sizeof(ContactPairRecord) == 2 * 4 + 5 * 8);
+    static_assert(sizeof(ContactPairRecord) == 2 * 4 + 6 * 8);
   };
 
   template <>

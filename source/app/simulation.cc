@@ -210,7 +210,7 @@ namespace rift
     if (fracture)
       {
         CohesiveForce &force = fracture->force;
-        force.leave_failed_faces_to_contact();
+        force.leave_failed_faces_to_contact(ContactForce::crack_interval);
         interface.is_held = [&force](const FaceIndex face) {
           return force.holds(face);
         };
@@ -341,7 +341,9 @@ namespace rift
     // 4. Contact, loads and damping
     if (contact)
       {
-        contact->add_to(state, activity, state.step > 0 ? dt : 0);
+        if (const auto deep =
+              contact->add_to(state, activity, state.step > 0 ? dt : 0))
+          note_failure(*deep);
         timer.stop("contact");
       }
     for (SurfaceLoad &load : surface_loads)

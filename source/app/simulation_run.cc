@@ -273,6 +273,22 @@ namespace rift
   }
 
   void
+  Simulation::note_failure(const DeepOverlap &deep)
+  {
+    if (!failure)
+      failure = Failure{
+        state().step,
+        deep.a,
+        "cells " + std::to_string(deep.a) + " and " + std::to_string(deep.b) +
+          " lie in each other by more than " + to_text(largest_mean_potential) +
+          " of their height: contact is too soft for this "
+          "impact or load. At " +
+          moment_text() +
+          ". Set a larger \"Stiffness factor\" in subsection "
+          "Contact, or choose a weaker load."};
+  }
+
+  void
   Simulation::agree()
   {
     enum

@@ -223,7 +223,7 @@ namespace rift
                              dot(edge_3, edge_3));
     const Simd size = batch.area * min(broadcast(1), 4. * batch.area / longest);
     SimdMask   lets_go = largest > release_distance * release_distance * size;
-    if (contact_takes_over)
+    if (contact_interval > 0 && (state.step + 1) % contact_interval == 0)
       lets_go |= is_open_and_failed(b, kinematics);
     lets_go &= batch.area > 0.;
     if (!any(lets_go))

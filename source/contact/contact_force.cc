@@ -12,9 +12,6 @@ namespace rift
      * means fewer searches and more pairs to look at in each step. */
     constexpr double skin_per_size = .2;
 
-    /** What has broken is searched for contact after so many steps or less. */
-    constexpr std::uint64_t crack_interval = 10;
-
     double
     longest_edge(const Tetrahedron &t)
     {
@@ -109,7 +106,7 @@ namespace rift
                              interface.n_crack_events() != n_known_events;
     // Not less, so that what is not a number does not go on for ever.
     const bool is_near = largest < skin * skin / 4;
-    return communicator.any(searched_cells.empty() || has_cracked || !is_near);
+    return communicator.any(!has_searched || has_cracked || !is_near);
   }
 
   std::vector<ContactCell>
@@ -134,6 +131,7 @@ namespace rift
   {
     interface.for_each_open_face(
       [this](const FaceIndex face) { surface.include(face); });
+    has_searched   = true;
     n_known_events = interface.n_crack_events();
     searched_cells = surface.cells();
     searched_positions.clear();
@@ -253,10 +251,11 @@ namespace rift
       }
   }
 
-  void
+  std::optional<DeepOverlap>
   ContactForce::add_to(State &state, Activity &activity, const double time_step)
   {
     energies.elastic = ExactSum();
+    std::optional<DeepOverlap> deep;
     for (Pair &pair : pairs)
       {
         const Member       &a = members[pair.a], &b = members[pair.b];
@@ -265,7 +264,9 @@ namespace rift
                                            pair.constants,
                                            time_step,
                                            pair.memory);
-        pair.touches               = forces.touches;
+        pair.touches               = forces.energy > 0;
+        if (forces.is_deep && !deep)
+          deep = DeepOverlap{a.cell.cell, b.cell.cell};
         if (a.cell.owner == communicator.rank())
           {
             energies.elastic.add(forces.energy);
@@ -277,6 +278,7 @@ namespace rift
         add_forces(a, forces.on_a, state, activity);
         add_forces(b, forces.on_b, state, activity);
       }
+    return deep;
   }
 
   void
@@ -292,7 +294,8 @@ namespace rift
         const NodeIndex node = topology.node(member.local, c);
         for (unsigned int d = 0; d < dim; ++d)
           state.force[node][d] += forces[c][d];
-        if (!activity.is_awake(member.local / batch_size))
+        // Other cells around the node may be asleep though this one is not.
+        if (!activity.has_woken_neighbours(member.local / batch_size))
           activity.wake_node(topology, node);
       }
   }

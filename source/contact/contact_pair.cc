@@ -97,12 +97,14 @@ namespace rift
     result.touches = true;
 
     // Eq. 26 and its derivative by the potential
-    const double excess   = common.potential - memory.free_potential;
     memory.free_potential = std::min(memory.free_potential, common.potential);
-    const double share    = memory.free_potential / common.potential;
-    const double slope    = constants.penalty * (1 - share * share);
-    result.energy =
-      excess > 0 ? constants.penalty * excess * excess / common.potential : 0;
+    const double free     = memory.free_potential;
+    const double ratio =
+      (common.potential - free) / (common.potential + 3 * free);
+    const double slope = constants.penalty * ratio * (2 - ratio);
+    result.energy      = constants.penalty * ratio * (common.potential - free);
+    result.is_deep =
+      free == 0 && common.potential > largest_mean_potential * common.volume;
     Vector3<double> force{};
     for (unsigned int c = 0; c < 4; ++c)
       {
@@ -116,6 +118,7 @@ namespace rift
       {
         result.friction_loss = spring_energy(memory);
         memory.slip          = {};
+        memory.damper        = 0;
         return result;
       }
     const Vector3<double> normal   = (1 / elastic) * force;
@@ -129,7 +132,8 @@ namespace rift
     const double damper = std::max(
       -2 * constants.damping * std::sqrt(stiffness * constants.mass) * speed,
       -elastic);
-    result.damping_loss = -damper * speed * time_step;
+    result.damping_loss = -.5 * (memory.damper + damper) * speed * time_step;
+    memory.damper       = damper;
 
     Vector3<double> added = damper * normal;
     if (constants.friction > 0)

@@ -70,7 +70,8 @@ namespace rift
                                  members[pair.b].cell.cell,
                                  pair.memory.free_potential,
                                  {},
-                                 pair.memory.stiffness};
+                                 pair.memory.stiffness,
+                                 pair.memory.damper};
         std::copy(pair.memory.slip.begin(),
                   pair.memory.slip.end(),
                   record.slip);
@@ -110,6 +111,7 @@ namespace rift
                         const std::vector<ContactCellRecord> &cell_records,
                         const bool                            has_changed)
   {
+    has_searched   = true;
     n_known_events = interface.n_crack_events() - (has_changed ? 1 : 0);
     for (const ContactCellRecord &record : cell_records)
       {
@@ -154,6 +156,7 @@ namespace rift
           ++record;
         pair.memory.free_potential = record->free_potential;
         pair.memory.stiffness      = record->stiffness;
+        pair.memory.damper         = record->damper;
         std::copy(std::begin(record->slip),
                   std::end(record->slip),
                   pair.memory.slip.begin());

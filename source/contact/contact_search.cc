@@ -10,7 +10,7 @@ namespace rift
   namespace
   {
     /** So many boxes touch another one only when bodies have collapsed. */
-    constexpr std::size_t largest_pairs_per_cell = 1000;
+    constexpr std::size_t largest_pairs_per_cell = 200;
 
     Box
     box_around(const Tetrahedron &t, const double margin)

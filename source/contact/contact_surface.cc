@@ -23,18 +23,12 @@ namespace rift
     {
       const NodeIndex   node   = topology.node(cell, corner);
       const VertexIndex vertex = topology.node_vertices[node];
-      for (auto other = topology.vertex_cells_first(vertex);
-           other != topology.vertex_cells_last(vertex);
-           ++other)
-        {
-          const unsigned int c = topology.corner_at_vertex(*other, vertex);
-          if (topology.node(*other, c) == node)
-            return n_corners *
-                     std::uint64_t(topology.cell_global_indices[*other]) +
-                   c;
-        }
-      return n_corners * std::uint64_t(topology.cell_global_indices[cell]) +
-             corner;
+      auto              other  = topology.vertex_cells_first(vertex);
+      while (topology.node(*other, topology.corner_at_vertex(*other, vertex)) !=
+             node)
+        ++other;
+      return n_corners * std::uint64_t(topology.cell_global_indices[*other]) +
+             topology.corner_at_vertex(*other, vertex);
     }
   } // namespace
 

@@ -216,28 +216,99 @@ TEST(ContactPair, SticksWithAForceBelowCoulombs)
   EXPECT_LT(std::abs(loss), 1e-4 * 1e-4 * -stretched);
 }
 
+TEST(ContactPair, ForgetsOverlapThatHasBecomeLess)
+{
+  const auto at_depth = [](const double depth) {
+    return moving(upper, {{0, 0, -depth}}, {});
+  };
+  const auto potential = [&](const double depth) {
+    return overlap(lower, at_depth(depth).positions).potential;
+  };
+  ContactMemory memory;
+  memory.free_potential = potential(.1);
+  touch(at_rest(lower), at_depth(.06), smooth, 0, memory);
+  EXPECT_EQ(memory.free_potential, potential(.06));
+  // In again: as a pair that was born at .06.
+  const double free = potential(.06), now = potential(.1);
+  const double energy =
+    touch(at_rest(lower), at_depth(.1), smooth, 0, memory).energy;
+  EXPECT_NEAR(energy / (penalty * std::pow(now - free, 2) / (now + 3 * free)),
+              1,
+              1e-12);
+}
+
+// While it is pressed deeper and turned, with friction: what is put in is there
+// or used up.
+TEST(ContactPair, FrictionKeepsTheBalanceOnAnyPath)
+{
+  const ContactConstants           rough = {penalty, .5, 0, 1};
+  std::mt19937                     engine(5);
+  std::normal_distribution<double> normal;
+  for (unsigned int path = 0; path < 10; ++path)
+    {
+      Vector3<double> amplitude{}, phase{};
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          amplitude[d] = (d < 2 ? .03 : .02) * normal(engine);
+          phase[d]     = normal(engine);
+        }
+      const auto place = [&](const double s) {
+        Vector3<double> x{};
+        for (unsigned int d = 0; d < 3; ++d)
+          x[d] =
+            amplitude[d] * (std::sin(6 * s + phase[d]) - std::sin(phase[d]));
+        x[2] -= .04 * s;
+        return x;
+      };
+      const unsigned int n  = 20000;
+      const double       dt = 1. / n;
+      ContactMemory      memory;
+      double             work = 0, loss = 0, energy = 0, at_start = 0;
+      Vector3<double>    before{};
+      for (unsigned int i = 0; i <= n; ++i)
+        {
+          const Vector3<double> shift =
+            i > 0 ? place(i * dt) - place((i - 1) * dt) : Vector3<double>{};
+          const auto forces =
+            touch(at_rest(lower),
+                  moving(upper, place(i * dt), (1 / dt) * shift),
+                  rough,
+                  i > 0 ? dt : 0,
+                  memory);
+          const Vector3<double> force = sum(forces.on_b);
+          work -= .5 * dot(force + before, shift);
+          before = force;
+          loss += forces.friction_loss;
+          energy = forces.energy;
+          if (i == 0)
+            at_start = energy;
+        }
+      EXPECT_GE(loss, -1e-9);
+      EXPECT_NEAR(energy - at_start + loss,
+                  work,
+                  .01 * (std::abs(work) + energy));
+    }
+}
+
 TEST(ContactPair, DampingTakesEnergyAndNeverPulls)
 {
   const ContactConstants damped = {penalty, 0, .2, 1e3};
   for (const double speed : {-10., 10., 1e6})
     {
-      ContactMemory memory;
-      const auto    forces = touch(at_rest(lower),
-                                moving(upper, {{0, 0, -.01}}, {{0, 0, speed}}),
-                                damped,
-                                1e-6,
-                                memory);
-      ContactMemory fresh;
-      const auto    elastic = touch(at_rest(lower),
-                                 moving(upper, {{0, 0, -.01}}, {{0, 0, speed}}),
-                                 smooth,
-                                 1e-6,
-                                 fresh);
-      const double  added   = sum(forces.on_b)[2] - sum(elastic.on_b)[2];
-      EXPECT_LT(added * speed, 0);
+      const auto    above = moving(upper, {{0, 0, -.01}}, {{0, 0, speed}});
+      ContactMemory memory, fresh;
+      touch(at_rest(lower), above, damped, 0, memory);
+      const auto   forces  = touch(at_rest(lower), above, damped, 1e-6, memory);
+      const auto   elastic = touch(at_rest(lower), above, smooth, 1e-6, fresh);
+      const double force   = sum(elastic.on_b)[2];
+      const double added   = sum(forces.on_b)[2] - force;
+      // -2 zeta sqrt(k m) v, k of flat faces.
+      const double stiffness = force * force / (2 * elastic.energy);
+      EXPECT_NEAR(added,
+                  std::max(-.4 * std::sqrt(stiffness * 1e3) * speed, -force),
+                  1e-6 * std::abs(added));
       EXPECT_NEAR(forces.damping_loss,
                   -added * speed * 1e-6,
                   1e-9 * std::abs(added * speed * 1e-6));
-      EXPECT_GE(sum(forces.on_b)[2], -1e-9 * sum(elastic.on_b)[2]);
     }
 }

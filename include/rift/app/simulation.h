@@ -191,6 +191,9 @@ namespace rift
     void
     note_failure(const FailedCell &failed);
 
+    void
+    note_failure(const DeepOverlap &deep);
+
     /**
      * Finds out whether all ranks are well. Each rank goes on after a failure
      * until then, so that none waits for it in vain. Collective.

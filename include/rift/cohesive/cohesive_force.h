@@ -147,11 +147,14 @@ namespace rift
     /**
      * Has failed faces let go as soon as they are open, since contact then
      * resists their overlap; see release_distant_faces().
+     *
+     * @param interval faces are let go of at the end of so many steps, when
+     *   contact looks for pairs.
      */
     void
-    leave_failed_faces_to_contact()
+    leave_failed_faces_to_contact(const std::uint64_t interval)
     {
-      contact_takes_over = true;
+      contact_interval = interval;
     }
 
     /** Whether the sides of a face are bonded, or a cohesive element resists
@@ -325,8 +328,10 @@ namespace rift
     const FaceQuadrature     quadrature;
 
     CohesiveFaces cohesive_faces;
-    bool          contact_takes_over = false;
-    std::uint64_t event_counter      = 0;
+    std::uint64_t event_counter = 0;
+
+    /** Zero without contact. */
+    std::uint64_t contact_interval = 0;
 
     /** Index in cohesive_faces of each interior face, if it has one. */
     std::vector<std::uint32_t> index_of_face;

@@ -8,6 +8,7 @@
 #include <rift/material/material_parameters.h>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace rift
@@ -22,7 +23,14 @@ namespace rift
   struct ContactPairRecord
   {
     GlobalCellIndex a, b;
-    double          free_potential, slip[dim], stiffness;
+    double          free_potential, slip[dim], stiffness, damper;
+  };
+
+  /** Two cells that lie in each other so deep that contact no longer tells
+   * their outsides apart. */
+  struct DeepOverlap
+  {
+    GlobalCellIndex a, b;
   };
 
   /** A cell that took part in the last search, and where it was then. */
@@ -43,13 +51,15 @@ namespace rift
    * own it is told by their owners.
    *
    * Pairs are searched for anew when a corner has moved by half of the skin
-   * since the last time, and within `crack_interval` steps after something has
+   * since the last time, and every `crack_interval` steps when something has
    * broken. A pair whose cells overlap already when it is found starts without
    * force and energy.
    */
   class ContactForce
   {
   public:
+    static constexpr std::uint64_t crack_interval = 10;
+
     /** What contact has to know of the body, the cracks and the materials. */
     struct Interface
     {
@@ -95,8 +105,9 @@ namespace rift
     follow(const State &state);
 
     /** Adds the forces at the positions of the last follow().
-     * @param time_step that has led there, s; zero at the start. */
-    void
+     * @param time_step that has led there, s; zero at the start.
+     * @return the first pair that lies in each other too deep, if any. */
+    std::optional<DeepOverlap>
     add_to(State &state, Activity &activity, double time_step);
 
     /** Energies at the last add_to(). */
@@ -212,6 +223,7 @@ namespace rift
     std::vector<CellIndex>   searched_cells;
     std::vector<Tetrahedron> searched_positions;
     std::uint64_t            n_known_events = 0;
+    bool                     has_searched   = false;
 
     std::vector<Member>  members;
     std::vector<Pair>    pairs;

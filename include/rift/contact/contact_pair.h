@@ -38,6 +38,9 @@ namespace rift
     /** Elongation, m, and stiffness, N/m, of the spring of friction. */
     Vector3<double> slip{};
     double          stiffness = 0;
+
+    /** Force of the damper, N: positive where it parts the cells. */
+    double damper = 0;
   };
 
   /** What a pair does in a step. */
@@ -45,6 +48,11 @@ namespace rift
   {
     /** Whether they overlap; all else is zero if not, but for losses. */
     bool touches = false;
+
+    /** Whether so deep that the potential will soon fall again: the mean of
+     * least coordinates over the overlap is above `largest_mean_potential`. Not
+     * of pairs that were born with an overlap. */
+    bool is_deep = false;
 
     /** Forces on the corners of both cells, N. */
     std::array<Vector3<double>, 4> on_a{}, on_b{};
@@ -57,10 +65,14 @@ namespace rift
     double friction_loss = 0, damping_loss = 0;
   };
 
+  /** Of faces that lie flat upon each other, the depth over the height. The
+   * potential is largest at a quarter. */
+  constexpr double largest_mean_potential = .15;
+
   /**
    * Contact of two tetrahedra (doc/theory.md, section 8).
    *
-   * Overlap costs the energy p (Phi - Phi_0)^2 / Phi, eq. 26: of an overlap
+   * Overlap costs the energy p (Phi - Phi_0)^2 / (Phi + 3 Phi_0), eq. 26: of an overlap
    * from the outside, Phi_0 = 0, this is Munjiza's potential contact, and a
    * pair that comes into being with an overlap starts with neither energy nor
    * force. The forces are the derivatives of this energy.

@@ -1,0 +1,11 @@
+SetFactory("OpenCASCADE");
+DefineConstant[ element_size = 2e-3 ];
+Box(1) = {0,0,0,0.01,0.01,0.01};
+Box(2) = {0.002,0.002,0.01,0.006,0.006,0.006};
+Physical Volume("a") = {1};
+Physical Volume("b") = {2};
+t() = Surface In BoundingBox{-1,-1,0.0159,1,1,0.0161};
+b() = Surface In BoundingBox{-1,-1,-1e-4,1,1,1e-4};
+Physical Surface("top") = {t()};
+Physical Surface("bottom") = {b()};
+MeshSize{ PointsOf{ Volume{:}; } } = element_size;
