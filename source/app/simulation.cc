@@ -182,8 +182,9 @@ namespace rift
   void
   Simulation::make_contact()
   {
-    const auto &[topology, reference, state, exchange] = body.discretization;
-    ContactForce::Interface interface;
+    const Topology          &topology  = body.discretization.topology;
+    const ReferenceCellData &reference = body.discretization.reference;
+    ContactForce::Interface  interface;
     interface.penalty = [&](const CellIndex cell) {
       const ReferenceBatch &batch    = reference[cell / batch_size];
       const unsigned int    lane     = cell % batch_size;
@@ -227,7 +228,7 @@ namespace rift
         interface.n_crack_events     = [] { return std::uint64_t(0); };
         interface.for_each_open_face = [](const auto &) {};
       }
-    contact.emplace(topology, state, body.communicator, std::move(interface));
+    contact.emplace(topology, state(), body.communicator, std::move(interface));
     const auto [least, largest] = contact->penalty_range();
     log.write("Contact: penalties of the cells at surfaces from " +
               short_text(least) + " to " + short_text(largest) +
@@ -394,8 +395,9 @@ namespace rift
     timer.stop("exchange");
     if (contact)
       {
+        // Mostly waiting, which is not work that ranks have unequal parts of.
         contact->follow(state);
-        timer.stop("contact");
+        timer.stop("contact search");
       }
 
     // 10. Faces that begin to open take over the forces that held the nodes

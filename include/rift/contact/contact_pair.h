@@ -72,10 +72,10 @@ namespace rift
   /**
    * Contact of two tetrahedra (doc/theory.md, section 8).
    *
-   * Overlap costs the energy p (Phi - Phi_0)^2 / (Phi + 3 Phi_0), eq. 26: of an overlap
-   * from the outside, Phi_0 = 0, this is Munjiza's potential contact, and a
-   * pair that comes into being with an overlap starts with neither energy nor
-   * force. The forces are the derivatives of this energy.
+   * Overlap costs the energy p (Phi - Phi_0)^2 / (Phi + 3 Phi_0), eq. 26: of an
+   * overlap from the outside, Phi_0 = 0, this is Munjiza's potential contact,
+   * and a pair that comes into being with an overlap starts with neither energy
+   * nor force. The forces are the derivatives of this energy.
    *
    * Friction is a spring between the points of the two cells at the centroid of
    * the overlap, whose force is not larger than the coefficient times that of
