@@ -2,6 +2,7 @@
 #include <rift/base/exceptions.h>
 #include <rift/base/parameter_text.h>
 #include <rift/discretization/discretize.h>
+#include <rift/loading/prescribed_motion.h>
 #include <rift/mesh/cell_ordering.h>
 #include <rift/mesh/gmsh_reader.h>
 #include <rift/mesh/mesh_buffer.h>
@@ -73,6 +74,24 @@ namespace rift
                          "\" speaks of the boundary \"" + name +
                          "\", which the mesh " + mesh.source +
                          " does not have." + suggestion(name, outer));
+    }
+
+    /** That what moves a rigid body stands with its material. */
+    void
+    check_rigid_boundaries(const Parameters &parameters, const MeshData &mesh)
+    {
+      for (const NamedFace &face : mesh.boundary_faces)
+        for (const BoundaryParameters &boundary : parameters.boundaries)
+          for (const MaterialParameters &material : parameters.materials)
+            if (PrescribedMotion::is_needed(boundary) && material.is_rigid() &&
+                boundary.name == mesh.surface_names[face.name] &&
+                material.name ==
+                  mesh.material_names[mesh.cell_materials[face.cell]])
+              throw InputError(
+                "subsection \"Boundary " + boundary.name +
+                "\" prescribes a velocity on the rigid material \"" +
+                material.name + "\". Prescribe it in subsection \"Material " +
+                material.name + "\", for the whole body.");
     }
 
     /** What all ranks have to know of a mesh: its names and named faces. */
@@ -178,6 +197,7 @@ namespace rift
       for (const ProbeParameters &probe : parameters.probes)
         if (!probe.boundary.empty())
           check_boundary(probe.boundary, "Probe " + probe.name, mesh);
+      check_rigid_boundaries(parameters, mesh);
       order_cells(mesh);
     });
     return mesh;

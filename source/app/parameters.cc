@@ -42,6 +42,50 @@ namespace rift
       return result;
     }
 
+    void
+    check_rigid(const Parameters &parameters)
+    {
+      const auto &materials = parameters.materials;
+      const auto  rigid =
+        std::find_if(materials.begin(), materials.end(), [](const auto &m) {
+          return m.is_rigid();
+        });
+      if (rigid == materials.end())
+        return;
+      const std::string section = "Material " + rigid->name;
+      if (!parameters.contact.is_active)
+        throw ParameterError(section,
+                             "Elasticity",
+                             "a rigid material acts on others by contact "
+                             "alone. Set \"Contact = true\" in subsection "
+                             "Contact.");
+      if (std::all_of(materials.begin(), materials.end(), [](const auto &m) {
+            return m.is_rigid();
+          }))
+        throw ParameterError(section,
+                             "Elasticity",
+                             "there is nothing but rigid material. At least "
+                             "one must be elastic: it sets the time step and "
+                             "the stiffness of contact.");
+    }
+
+    void
+    check_probes(const Parameters &parameters)
+    {
+      std::vector<std::string> rigid;
+      for (const MaterialParameters &material : parameters.materials)
+        if (material.is_rigid())
+          rigid.push_back(material.name);
+      for (const ProbeParameters &probe : parameters.probes)
+        if (probe.field == ProbeParameters::Field::force &&
+            std::count(rigid.begin(), rigid.end(), probe.material) == 0)
+          throw ParameterError("Probe " + probe.name,
+                               "Material",
+                               "there is no rigid material \"" +
+                                 probe.material + "\"." +
+                                 suggestion(probe.material, rigid));
+    }
+
     // What can only be seen by looking at more than one subsection.
     void
     check_together(const Parameters &parameters, const ParameterFile &scene)
@@ -63,6 +107,8 @@ namespace rift
                                    "\"Material " +
                                    material.name +
                                    "\". Make the names the same.");
+      check_rigid(parameters);
+      check_probes(parameters);
       if (parameters.cohesive.model != CohesiveParameters::Model::none)
         {
           if (std::none_of(materials.begin(),
@@ -107,7 +153,7 @@ namespace rift
       result.title = prm.get("Title");
       result.mesh  = MeshParameters::parse(prm, scene);
       for (const std::string &name : names.materials)
-        result.materials.push_back(MaterialParameters::parse(prm, name));
+        result.materials.push_back(MaterialParameters::parse(prm, name, scene));
       for (const std::string &name : names.boundaries)
         result.boundaries.push_back(
           BoundaryParameters::parse(prm, name, scene));

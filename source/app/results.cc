@@ -238,6 +238,7 @@ namespace rift
            probe_values(probes,
                         d.topology,
                         snapshot.internal_force,
+                        snapshot.rigid_bodies,
                         d.state,
                         velocity_at_step(d.state, snapshot.time_step),
                         communicator))

@@ -29,6 +29,12 @@ namespace rift
     static_assert(sizeof(ContactCellRecord) == 2 * 4 + n_corners * dim * 8);
   };
 
+  template <>
+  struct HasPlainBytes<RigidBodyRecord> : std::true_type
+  {
+    static_assert(sizeof(RigidBodyRecord) == 13 * 8);
+  };
+
   namespace
   {
     template <typename T>
@@ -100,6 +106,7 @@ namespace rift
     file.write("cohesive faces", cohesive_faces);
     file.write("contact pairs", contact_pairs);
     file.write("contact cells", contact_cells);
+    file.write("rigid bodies", rigid_bodies);
     file.write("hot cells", hot_cells);
     file.write("resting cells", resting_cells);
   }
@@ -112,6 +119,7 @@ namespace rift
     append(cohesive_faces, file.read<CohesiveFaceRecord>("cohesive faces"));
     append(contact_pairs, file.read<ContactPairRecord>("contact pairs"));
     append(contact_cells, file.read<ContactCellRecord>("contact cells"));
+    append(rigid_bodies, file.read<RigidBodyRecord>("rigid bodies"));
     append(hot_cells, file.read<GlobalCellIndex>("hot cells"));
     append(resting_cells, file.read<GlobalCellIndex>("resting cells"));
   }

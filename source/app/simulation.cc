@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rift
 {
@@ -118,6 +119,7 @@ namespace rift
       }
 
     make_fracture();
+    make_rigid_bodies();
     if (parameters.contact.is_active)
       make_contact();
     if (viscosity > 0)
@@ -180,29 +182,64 @@ namespace rift
   }
 
   void
+  Simulation::make_rigid_bodies()
+  {
+    const auto &[topology, reference, state, exchange] = body.discretization;
+    if (std::none_of(body.materials.begin(),
+                     body.materials.end(),
+                     [](const auto &m) { return m.is_rigid(); }))
+      return;
+    RigidPieces pieces;
+    body.communicator.on_root(
+      [&] { pieces = find_rigid_pieces(mesh, body.materials); });
+    rigid_bodies.emplace(topology,
+                         state,
+                         share(pieces, body.communicator),
+                         body.materials,
+                         body.communicator);
+  }
+
+  std::vector<ContactCellConstants>
+  Simulation::contact_constants() const
+  {
+    const auto &[topology, reference, state, exchange] = body.discretization;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::vector<ContactCellConstants> constants;
+    for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
+      {
+        const ReferenceBatch &batch    = reference[cell / batch_size];
+        const unsigned int    lane     = cell % batch_size;
+        const std::uint16_t   material = topology.material(cell);
+        const double          density  = densities[material];
+        const std::uint32_t   rigid =
+          rigid_bodies ? rigid_bodies->body(cell) : invalid_index;
+        if (topology.is_padding(cell))
+          constants.push_back({0, 0, invalid_index});
+        else if (rigid != invalid_index && rigid_bodies->is_driven(material))
+          // All of them together are as one body: nothing moves them.
+          constants.push_back({infinity, infinity, rigid_bodies->n_bodies()});
+        else
+          {
+            const double of_cell =
+              largest_frequency_squared(batch,
+                                        lane,
+                                        stiffnesses[material],
+                                        density) +
+              (penalty_frequency ? penalty_frequency(cell) : 0);
+            const double room = critical.frequency_squared - of_cell;
+            constants.push_back({largest_penalty(batch, lane, density, room),
+                                 density * batch.volume[lane],
+                                 rigid});
+          }
+      }
+    return constants;
+  }
+
+  void
   Simulation::make_contact()
   {
-    const Topology          &topology  = body.discretization.topology;
-    const ReferenceCellData &reference = body.discretization.reference;
-    ContactForce::Interface  interface;
-    interface.penalty = [&](const CellIndex cell) {
-      const ReferenceBatch &batch    = reference[cell / batch_size];
-      const unsigned int    lane     = cell % batch_size;
-      const auto            material = topology.material(cell);
-      const double          of_cell  = largest_frequency_squared(batch,
-                                                       lane,
-                                                       stiffnesses[material],
-                                                       densities[material]) +
-                             (penalty_frequency ? penalty_frequency(cell) : 0);
-      return largest_penalty(batch,
-                             lane,
-                             densities[material],
-                             critical.frequency_squared - of_cell);
-    };
-    interface.mass = [&](const CellIndex cell) {
-      return densities[topology.material(cell)] *
-             reference[cell / batch_size].volume[cell % batch_size];
-    };
+    ContactForce::Interface interface;
+    interface.cells    = contact_constants();
     interface.damping  = parameters.contact.damping;
     interface.friction = [this](const std::uint32_t a, const std::uint32_t b) {
       return parameters.contact.friction_of(body.materials[a].name,
@@ -228,7 +265,10 @@ namespace rift
         interface.n_crack_events     = [] { return std::uint64_t(0); };
         interface.for_each_open_face = [](const auto &) {};
       }
-    contact.emplace(topology, state(), body.communicator, std::move(interface));
+    contact.emplace(topology(),
+                    state(),
+                    body.communicator,
+                    std::move(interface));
     const auto [least, largest] = contact->penalty_range();
     log.write("Contact: penalties of the cells at surfaces from " +
               short_text(least) + " to " + short_text(largest) +
@@ -372,11 +412,17 @@ namespace rift
         timer.stop("cohesive forces");
       }
 
-    // 6. Prescribed motion
+    // 6. Prescribed motion and rigid bodies
     if (state.step == 0)
-      start_velocities(state, dt);
+      {
+        start_velocities(state, dt);
+        if (rigid_bodies)
+          rigid_bodies->start(state, dt);
+      }
     if (prescribed_motion)
       prescribed_motion->impose(state, activity, dt);
+    if (rigid_bodies)
+      rigid_bodies->move(state, activity, dt);
     timer.stop("loads and damping");
 
     // 7. Ledger and output at t_n, when due

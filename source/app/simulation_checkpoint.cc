@@ -114,6 +114,8 @@ namespace rift
     update_surfaces();
     if (fracture)
       fracture->force.restore(state, restart.state.cohesive_faces);
+    if (rigid_bodies)
+      rigid_bodies->restore(restart.state.rigid_bodies);
     if (contact)
       contact->restore(state,
                        restart.state.contact_pairs,
@@ -147,6 +149,8 @@ namespace rift
       load.work().for_each_sum(add);
     if (prescribed_motion)
       prescribed_motion->work().for_each_sum(add);
+    if (rigid_bodies)
+      rigid_bodies->work().for_each_sum(add);
     if (damping)
       damping->work().for_each_sum(add);
     if (contact)
@@ -157,12 +161,14 @@ namespace rift
   void
   Simulation::write_checkpoint()
   {
-    const std::string   directory = parameters.output.directory;
-    const SavedState    saved     = save_body(body.discretization,
-                                       internal_force,
-                                       activity,
-                                       fracture ? &fracture->force : nullptr,
-                                       contact ? &*contact : nullptr);
+    const std::string directory = parameters.output.directory;
+    SavedState        saved     = save_body(body.discretization,
+                                 internal_force,
+                                 activity,
+                                 fracture ? &fracture->force : nullptr,
+                                 contact ? &*contact : nullptr);
+    if (rigid_bodies && body.communicator.is_root())
+      saved.rigid_bodies = rigid_bodies->records();
     const std::uint64_t have_cracks_changed =
       contact && contact->has_changed() ? 1 : 0;
     const auto results_now = results.synchronize();

@@ -155,6 +155,8 @@ namespace rift
       sums.loads.add(load.work().sum());
     if (prescribed_motion)
       sums.loads.add(prescribed_motion->work().sum());
+    if (rigid_bodies)
+      sums.loads.add(rigid_bodies->work().sum());
     if (body_force)
       sums.loads.add(body_force->work(topology(), state()));
     ledger.enter(sums.total(body.communicator));
@@ -238,6 +240,7 @@ namespace rift
     return {body,
             internal_force,
             fracture ? &fracture->force : nullptr,
+            rigid_bodies ? &*rigid_bodies : nullptr,
             ledger,
             dt};
   }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
+#include <filesystem>
 #include <sstream>
 
 namespace rift
@@ -280,6 +281,29 @@ namespace rift
   {
     return dealii::Utilities::string_to_double(
       dealii::Utilities::split_string_list(prm.get(name)));
+  }
+
+  std::string
+  get_function(const dealii::ParameterHandler &prm,
+               const std::string              &section,
+               const std::string              &name,
+               const ParameterFile            &file)
+  {
+    const std::string text = prm.get(name);
+    return ends_with(text, ".csv") ? file.resolve(section, name, text) : text;
+  }
+
+  void
+  check_function(const std::string &section,
+                 const std::string &name,
+                 const std::string &function)
+  {
+    if (ends_with(function, ".csv") &&
+        !std::filesystem::is_regular_file(function))
+      throw ParameterError(section,
+                           name,
+                           "there is no file \"" + function +
+                             "\". Paths are relative to the .prm.");
   }
 
   std::array<double, 3>

@@ -91,7 +91,7 @@ namespace rift
     for (std::size_t i = 0; i < materials.size(); ++i)
       {
         double value = materials[i].breakable ? penalty.value : 0;
-        if (penalty.is_multiple)
+        if (penalty.is_multiple && materials[i].breakable)
           value *= mean_youngs_modulus(stiffnesses[i]);
         if (!std::isfinite(value))
           throw ParameterError("Fracture",

@@ -1,6 +1,7 @@
 #include <rift/contact/contact_force.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <map>
 
@@ -74,9 +75,11 @@ namespace rift
     double least_inverse = 0, largest = 0;
     for (const CellIndex cell : surface.cells())
       {
-        const double penalty = interface.penalty(cell);
-        least_inverse        = std::max(least_inverse, 1 / penalty);
-        largest              = std::max(largest, penalty);
+        const double penalty = interface.cells[cell].penalty;
+        if (std::isinf(penalty))
+          continue;
+        least_inverse = std::max(least_inverse, 1 / penalty);
+        largest       = std::max(largest, penalty);
       }
     return {1 / communicator.max(least_inverse), communicator.max(largest)};
   }
@@ -119,9 +122,8 @@ namespace rift
       {
         result.push_back(
           surface.describe(cell, communicator.rank(), interface.is_held));
-        result.back().penalty = interface.penalty(cell);
-        result.back().mass    = interface.mass(cell);
-        result.back().motion  = motion_of(topology, state, cell);
+        result.back().constants = interface.cells[cell];
+        result.back().motion    = motion_of(topology, state, cell);
       }
     return result;
   }
@@ -186,10 +188,10 @@ namespace rift
               overlap(a.motion.positions, b.motion.positions).potential;
           pair.a         = member(candidate.a);
           pair.b         = member(candidate.b);
-          pair.constants = {std::min(a.penalty, b.penalty),
+          pair.constants = {std::min(a.constants.penalty, b.constants.penalty),
                             interface.friction(a.material, b.material),
                             interface.damping,
-                            a.mass * b.mass / (a.mass + b.mass)};
+                            1 / (1 / a.constants.mass + 1 / b.constants.mass)};
           pairs.push_back(pair);
         }
     ask_owners();

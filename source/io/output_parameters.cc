@@ -34,6 +34,7 @@ namespace rift
       add("velocity", Field::velocity, {"x", "y", "z"});
       add("stress", Field::stress, {"xx", "yy", "zz", "yz", "xz", "xy"});
       result.push_back({"pressure", Field::pressure, 0});
+      add("force", Field::force, {"x", "y", "z"});
       return result;
     }
   } // namespace
@@ -112,11 +113,17 @@ namespace rift
                       Patterns::Selection(words),
                       "What is written to the column NAME of probes.csv. "
                       "Stress is positive in tension, pressure in "
-                      "compression.");
+                      "compression. Force is what contact, loads and gravity "
+                      "do to rigid bodies, not what drives them.");
     prm.declare_entry("Boundary",
                       "",
                       Patterns::Anything(),
                       "The average over this boundary is taken.");
+    prm.declare_entry("Material",
+                      "",
+                      Patterns::Anything(),
+                      "Rigid material, the force on whose bodies is taken. For "
+                      "forces alone.");
     declare_vector(prm,
                    "Point",
                    ProbeParameters().point,
@@ -141,9 +148,18 @@ namespace rift
           result.component = word.component;
         }
     result.boundary = prm.get("Boundary");
+    result.material = prm.get("Material");
     result.point    = get_vector(prm, "Point");
     prm.leave_subsection();
-    if (result.boundary.empty() && scene.find(probe, "Point") == nullptr)
+    if (result.field == ProbeParameters::Field::force)
+      {
+        if (result.material.empty())
+          throw ParameterError(probe,
+                               "Material",
+                               "a force needs the rigid material on which it "
+                               "acts.");
+      }
+    else if (result.boundary.empty() && scene.find(probe, "Point") == nullptr)
       throw ParameterError(probe,
                            "Point",
                            "a probe needs a Boundary or a Point.");
@@ -153,12 +169,22 @@ namespace rift
   std::vector<InertEntries>
   ProbeParameters::inert_entries() const
   {
-    if (boundary.empty())
-      return {};
     const std::string probe = "Probe " + name;
+    if (field == Field::force)
+      return {{probe,
+               {"Boundary", "Point"},
+               {{probe, "Field"}},
+               "on the force on a material"}};
+    const InertEntries no_force{probe,
+                                {"Material"},
+                                {{probe, "Field"}},
+                                "on anything but forces"};
+    if (boundary.empty())
+      return {no_force};
     return {{probe,
              {"Point"},
              {{probe, "Boundary"}},
-             "on the average over a boundary"}};
+             "on the average over a boundary"},
+            no_force};
   }
 } // namespace rift

@@ -17,6 +17,8 @@ namespace rift
           return "m";
         case ProbeParameters::Field::velocity:
           return "m/s";
+        case ProbeParameters::Field::force:
+          return "N";
         default:
           return "Pa";
         }
@@ -63,6 +65,8 @@ namespace rift
     : parameters(the_parameters)
     , header_text(parameters.name + " [" + unit_of(parameters.field) + "]")
   {
+    if (parameters.field == ProbeParameters::Field::force)
+      return;
     if (parameters.boundary.empty())
       find_point(topology, reference, state, communicator);
     else
@@ -141,11 +145,14 @@ namespace rift
   ExactSum
   Probe::sum(const Topology                     &topology,
              const InternalForce                &internal_force,
+             const RigidBodies                  *rigid_bodies,
              const State                        &state,
              const std::vector<Vector3<double>> &velocity) const
   {
     using Field = ProbeParameters::Field;
 
+    if (parameters.field == Field::force)
+      return rigid_bodies->force(parameters.material)[parameters.component];
     ExactSum result;
     for (const Sample &sample : samples)
       if (parameters.field == Field::stress ||
@@ -176,13 +183,14 @@ namespace rift
   probe_values(const std::vector<Probe>           &probes,
                const Topology                     &topology,
                const InternalForce                &internal_force,
+               const RigidBodies                  *rigid_bodies,
                const State                        &state,
                const std::vector<Vector3<double>> &velocity,
                const Communicator                 &communicator)
   {
     std::vector<ExactSum> sums;
     for (const Probe &probe : probes)
-      sums.push_back(probe.sum(topology, internal_force, state, velocity));
+      sums.push_back(probe.sum(topology, internal_force, rigid_bodies, state, velocity));
     std::vector<ExactSum *> pointers;
     for (ExactSum &sum : sums)
       pointers.push_back(&sum);

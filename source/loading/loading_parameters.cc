@@ -4,8 +4,6 @@
 #include <rift/base/parameter_text.h>
 #include <rift/loading/loading_parameters.h>
 
-#include <filesystem>
-
 namespace rift
 {
   namespace
@@ -16,32 +14,6 @@ namespace rift
     section_of(const std::string &name)
     {
       return "Boundary " + name;
-    }
-
-    // A .csv is a table, whose path has to be resolved; all else is taken as
-    // an expression.
-    std::string
-    parse_function(dealii::ParameterHandler &prm,
-                   const std::string        &section,
-                   const std::string        &name,
-                   const ParameterFile      &scene)
-    {
-      const std::string text = prm.get(name);
-      return ends_with(text, ".csv") ? scene.resolve(section, name, text) :
-                                       text;
-    }
-
-    void
-    check_table(const std::string &section,
-                const std::string &name,
-                const std::string &function)
-    {
-      if (ends_with(function, ".csv") &&
-          !std::filesystem::is_regular_file(function))
-        throw ParameterError(section,
-                             name,
-                             "there is no file \"" + function +
-                               "\". Paths are relative to the .prm.");
     }
   } // namespace
 
@@ -80,13 +52,13 @@ namespace rift
     BoundaryParameters result;
     result.name = name;
     prm.enter_subsection(section);
-    result.pressure = parse_function(prm, section, "Pressure", scene);
+    result.pressure = get_function(prm, section, "Pressure", scene);
     for (unsigned int d = 0; d < 3; ++d)
       {
         result.traction[d] =
-          parse_function(prm, section, "Traction " + axes[d], scene);
+          get_function(prm, section, "Traction " + axes[d], scene);
         result.velocity[d] =
-          parse_function(prm, section, "Velocity " + axes[d], scene);
+          get_function(prm, section, "Velocity " + axes[d], scene);
       }
     prm.leave_subsection();
     return result;
@@ -97,11 +69,11 @@ namespace rift
   {
     const std::string section = section_of(name);
     bool              is_free = pressure.empty();
-    check_table(section, "Pressure", pressure);
+    check_function(section, "Pressure", pressure);
     for (unsigned int d = 0; d < 3; ++d)
       {
-        check_table(section, "Traction " + axes[d], traction[d]);
-        check_table(section, "Velocity " + axes[d], velocity[d]);
+        check_function(section, "Traction " + axes[d], traction[d]);
+        check_function(section, "Velocity " + axes[d], velocity[d]);
         is_free = is_free && traction[d].empty() && velocity[d].empty();
         if (!traction[d].empty() && !velocity[d].empty())
           throw ParameterError(section,

@@ -36,6 +36,8 @@ namespace rift
   {
     if (p.elasticity == MaterialParameters::Elasticity::isotropic)
       return make_isotropic(p);
+    if (p.is_rigid())
+      return RigidElasticity();
     return make_anisotropic(p);
   }
 

@@ -1,3 +1,4 @@
+#include <rift/base/parameter_declarations.h>
 #include <rift/base/parameter_text.h>
 #include <rift/material/material_parameters.h>
 
@@ -230,6 +231,12 @@ namespace rift
   {
     const Refuse refuse{"Material " + name};
     check_density(*this, refuse);
+    for (unsigned int d = 0; d < 3; ++d)
+      check_function(refuse.section,
+                     std::string("Velocity ") + "xyz"[d],
+                     velocity[d]);
+    if (is_rigid())
+      return;
     if (elasticity == Elasticity::isotropic)
       check_isotropic(*this, refuse);
     else

@@ -25,9 +25,10 @@ namespace rift
       const MaterialParameters defaults;
       prm.declare_entry("Elasticity",
                         "isotropic",
-                        Patterns::Selection("isotropic|anisotropic"),
-                        "Isotropic with two constants, or anisotropic with "
-                        "21.");
+                        Patterns::Selection("isotropic|anisotropic|rigid"),
+                        "Isotropic with two constants, anisotropic with 21, or "
+                        "rigid: does not deform and acts on others by contact "
+                        "alone.");
       declare_number(prm,
                      "Young's modulus",
                      defaults.youngs_modulus,
@@ -117,30 +118,48 @@ namespace rift
                    "Initial velocity",
                    defaults.initial_velocity,
                    "Velocity at the start along x, y, z. Units: m/s.");
+    for (const std::string axis : {"x", "y", "z"})
+      prm.declare_entry("Velocity " + axis,
+                        "",
+                        Patterns::Anything(),
+                        "Rigid material: function of time, the velocity of its "
+                        "bodies along " +
+                          axis +
+                          ", which then do not turn. Without it they are free "
+                          "along " +
+                          axis + ". Units: m/s.");
     declare_strength(prm);
     prm.leave_subsection();
   }
 
   MaterialParameters
-  MaterialParameters::parse(ParameterHandler &prm, const std::string &name)
+  MaterialParameters::parse(ParameterHandler    &prm,
+                            const std::string   &name,
+                            const ParameterFile &scene)
   {
     MaterialParameters result;
     result.name = name;
     prm.enter_subsection(section_of(name));
     result.density        = prm.get_double("Density");
-    result.elasticity     = prm.get("Elasticity") == "anisotropic" ?
-                              Elasticity::anisotropic :
-                              Elasticity::isotropic;
+    const std::string law = prm.get("Elasticity");
+    result.elasticity     = law == "rigid"       ? Elasticity::rigid :
+                            law == "anisotropic" ? Elasticity::anisotropic :
+                                                   Elasticity::isotropic;
     result.youngs_modulus = prm.get_double("Young's modulus");
     result.poissons_ratio = prm.get_double("Poisson's ratio");
     const auto stiffness  = get_numbers(prm, "Stiffness");
     for (unsigned int i = 0; i < result.stiffness.size(); ++i)
       result.stiffness[i] = stiffness.at(i);
-    result.axis_1            = get_vector(prm, "Axis 1");
-    result.axis_2            = get_vector(prm, "Axis 2");
-    result.viscosity         = prm.get_double("Viscosity");
-    result.initial_velocity  = get_vector(prm, "Initial velocity");
-    result.breakable         = prm.get_bool("Breakable");
+    result.axis_1           = get_vector(prm, "Axis 1");
+    result.axis_2           = get_vector(prm, "Axis 2");
+    result.viscosity        = prm.get_double("Viscosity");
+    result.initial_velocity = get_vector(prm, "Initial velocity");
+    result.breakable        = prm.get_bool("Breakable") && !result.is_rigid();
+    for (unsigned int d = 0; d < 3; ++d)
+      result.velocity[d] = get_function(prm,
+                                        section_of(name),
+                                        std::string("Velocity ") + "xyz"[d],
+                                        scene);
     result.tensile_strength  = prm.get_double("Tensile strength");
     result.cohesion          = prm.get_double("Cohesion");
     result.friction_angle    = prm.get_double("Friction angle") * M_PI / 180;
@@ -161,23 +180,41 @@ namespace rift
                          const std::string              &reason) {
       result.push_back({section, names, {{section, cause}}, reason});
     };
-    if (elasticity == Elasticity::isotropic)
-      add({"Stiffness", "Axis 1", "Axis 2"},
-          "Elasticity",
-          "on an isotropic material");
+    const std::vector<std::string> isotropic   = {"Young's modulus",
+                                                  "Poisson's ratio"};
+    const std::vector<std::string> anisotropic = {"Stiffness",
+                                                  "Axis 1",
+                                                  "Axis 2"};
+    const std::vector<std::string> strength    = {"Tensile strength",
+                                                  "Cohesion",
+                                                  "Friction angle",
+                                                  "Fracture energy I",
+                                                  "Fracture energy II",
+                                                  "Weibull modulus"};
+    const std::string              reason = is_rigid() ? "on a rigid material" :
+                                            elasticity == Elasticity::isotropic ?
+                                                         "on an isotropic material" :
+                                                         "on an anisotropic material";
+    if (elasticity != Elasticity::isotropic)
+      add(isotropic, "Elasticity", reason);
+    if (elasticity != Elasticity::anisotropic)
+      add(anisotropic, "Elasticity", reason);
+    if (is_rigid())
+      {
+        add(strength, "Elasticity", reason);
+        add({"Viscosity", "Breakable"}, "Elasticity", reason);
+        if (!velocity[0].empty() && !velocity[1].empty() &&
+            !velocity[2].empty())
+          add({"Initial velocity"},
+              "Velocity x",
+              "where all velocities are prescribed");
+      }
     else
-      add({"Young's modulus", "Poisson's ratio"},
+      add({"Velocity x", "Velocity y", "Velocity z"},
           "Elasticity",
-          "on an anisotropic material");
-    if (!breakable)
-      add({"Tensile strength",
-           "Cohesion",
-           "Friction angle",
-           "Fracture energy I",
-           "Fracture energy II",
-           "Weibull modulus"},
-          "Breakable",
-          "on an unbreakable material");
+          "on a material that is not rigid");
+    if (!breakable && !is_rigid())
+      add(strength, "Breakable", "on an unbreakable material");
     return result;
   }
 } // namespace rift

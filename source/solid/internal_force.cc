@@ -82,6 +82,8 @@ namespace rift
     std::optional<FailedCell> failed;
     for (const MaterialRange &range : topology.material_ranges)
       {
+        if (std::holds_alternative<RigidElasticity>(laws[range.material]))
+          continue;
         const bool is_watched =
           !bounds.empty() && bounds[range.material].has_value();
         const auto failed_here = std::visit(

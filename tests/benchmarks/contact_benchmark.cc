@@ -59,8 +59,8 @@ namespace rift::test
       interface() const
       {
         ContactForce::Interface result;
-        result.penalty        = [](CellIndex) { return 1e10; };
-        result.mass           = [](CellIndex) { return 1.; };
+        result.cells.assign(body.topology.n_cell_slots(),
+                            {1e10, 1., invalid_index});
         result.friction       = [](std::uint32_t, std::uint32_t) { return .5; };
         result.damping        = 0;
         result.is_held        = [](FaceIndex) { return false; };

@@ -53,6 +53,7 @@ namespace
     return probe_values(probes,
                         body.topology,
                         force,
+                        nullptr,
                         body.state,
                         velocities(body.state),
                         communicator);

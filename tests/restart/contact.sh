@@ -1,5 +1,5 @@
 # Goes on in the midst of contact, on other ranks: a block that slides over a
-# table, a bar whose pieces fly apart and meet.
+# table, a bar whose pieces fly apart and meet, a rigid block that turns.
 #
 #   bash contact.sh RIFT RANKS
 . "$(dirname "$0")/common.sh"
@@ -27,3 +27,7 @@ goes_on block 80 "$contact/block.prm" --set "Time/End time=6e-5" \
 goes_on bar 360 "$here/spalling.prm" --set Contact/Contact=true \
   --set "Mesh/Element size=8e-3" --set "Time/Time step=2.174e-7"
 ! grep -q '"contact_pairs": 0,' bar/summary.json || fail "nothing touches"
+
+goes_on rigid 200 "$here/../scenes/rigid_collision.prm" \
+  --set "Time/End time=2.5e-4"
+! grep -q '"contact_pairs": 0,' rigid/summary.json || fail "nothing touches"

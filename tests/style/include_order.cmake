@@ -3,7 +3,7 @@ cmake_minimum_required(VERSION 3.25)
 # Fails where a folder of ROOT includes from one that comes after it: the list
 # of folders is the order of the algorithm.
 set(order base mesh discretization material solid cohesive contact loading
-          time_integration io app)
+          rigid time_integration io app)
 
 foreach(folder ${order})
   list(APPEND allowed ${folder})

@@ -24,6 +24,9 @@ namespace rift
     /** Null without a cohesive model. */
     const CohesiveForce *cohesive_force;
 
+    /** Null where there are none. */
+    const RigidBodies *rigid_bodies;
+
     const EnergyLedger &ledger;
     double              time_step;
   };

@@ -6,6 +6,7 @@
 #include <rift/contact/contact_force.h>
 #include <rift/discretization/discretization.h>
 #include <rift/io/checkpoint_set.h>
+#include <rift/rigid/rigid_bodies.h>
 #include <rift/solid/internal_force.h>
 
 #include <vector>
@@ -42,6 +43,9 @@ namespace rift
     std::vector<ContactPairRecord>  contact_pairs;
     std::vector<ContactCellRecord>  contact_cells;
 
+    /** Of rank 0; all ranks have the same. */
+    std::vector<RigidBodyRecord> rigid_bodies;
+
     /** InternalForce::hot_cells(). */
     std::vector<GlobalCellIndex> hot_cells;
 
@@ -57,7 +61,7 @@ namespace rift
   };
 
   /** @param cohesive_force null without a cohesive model.
-   * @param contact null without contact. */
+   * @param contact null without contact. The rest is left empty. */
   SavedState
   save_body(const Discretization &discretization,
             const InternalForce  &internal_force,

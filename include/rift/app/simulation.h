@@ -14,6 +14,7 @@
 #include <rift/loading/body_force.h>
 #include <rift/loading/prescribed_motion.h>
 #include <rift/loading/surface_load.h>
+#include <rift/rigid/rigid_bodies.h>
 #include <rift/solid/damping.h>
 #include <rift/time_integration/critical_time_step.h>
 #include <rift/time_integration/energy_ledger.h>
@@ -129,7 +130,14 @@ namespace rift
     make_fracture();
 
     void
+    make_rigid_bodies();
+
+    void
     make_contact();
+
+    /** What contact has to know of the cells. */
+    std::vector<ContactCellConstants>
+    contact_constants() const;
 
     PenaltySlopes
     penalty_slopes() const;
@@ -242,6 +250,7 @@ namespace rift
     std::vector<SurfaceLoad>        surface_loads;
     std::optional<BodyForce>        body_force;
     std::optional<PrescribedMotion> prescribed_motion;
+    std::optional<RigidBodies>      rigid_bodies;
 
     CohesiveFrequency penalty_frequency;
     CriticalTimeStep  critical{};

@@ -62,6 +62,22 @@ namespace rift
   get_vector(const dealii::ParameterHandler &prm, const std::string &name);
 
   /**
+   * The text of a function of time in the current subsection: an expression, or
+   * the path of a .csv table, from the folder that `file` tells.
+   */
+  std::string
+  get_function(const dealii::ParameterHandler &prm,
+               const std::string              &section,
+               const std::string              &name,
+               const ParameterFile            &file);
+
+  /** Throws ParameterError if a function is a table that does not exist. */
+  void
+  check_function(const std::string &section,
+                 const std::string &name,
+                 const std::string &function);
+
+  /**
    * Declares three numbers in the current subsection. The documentation ends
    * with "Units: X.".
    */

@@ -6,18 +6,27 @@
 
 namespace rift
 {
-  /** A cell that may touch others, as its owner tells all ranks of it. */
-  struct ContactCell
+  /** What contact has to know of a cell that never changes. */
+  struct ContactCellConstants
   {
-    GlobalCellIndex cell;
-    int             owner;
-    std::uint32_t   material;
-
-    /** The largest penalty that the time step allows this cell, Pa. */
+    /** The largest penalty that the time step allows this cell, Pa; infinite
+     * where nothing can move it. */
     double penalty;
 
-    /** kg */
+    /** kg; likewise. */
     double mass;
+
+    /** The rigid body that it belongs to, or invalid_index. */
+    std::uint32_t body;
+  };
+
+  /** A cell that may touch others, as its owner tells other ranks of it. */
+  struct ContactCell
+  {
+    GlobalCellIndex      cell;
+    int                  owner;
+    std::uint32_t        material;
+    ContactCellConstants constants;
 
     CellMotion motion;
 
@@ -30,10 +39,14 @@ namespace rift
     std::array<GlobalCellIndex, n_corners> bonded;
   };
 
-  /** Whether something other than contact acts between two cells. */
+  /** Whether something other than contact acts between two cells, or they
+   * cannot come nearer to each other. */
   inline bool
   are_bonded(const ContactCell &a, const ContactCell &b)
   {
+    if (a.constants.body != invalid_index &&
+        a.constants.body == b.constants.body)
+      return true;
     for (unsigned int i = 0; i < n_corners; ++i)
       {
         if (a.bonded[i] == b.cell)

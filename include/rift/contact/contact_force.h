@@ -63,11 +63,8 @@ namespace rift
     /** What contact has to know of the body, the cracks and the materials. */
     struct Interface
     {
-      /** The largest penalty of a cell, Pa. */
-      std::function<double(CellIndex)> penalty;
-
-      /** Mass of a cell, kg. */
-      std::function<double(CellIndex)> mass;
+      /** By cell slot. */
+      std::vector<ContactCellConstants> cells;
 
       /** Coefficient of friction of two materials. */
       std::function<double(std::uint32_t, std::uint32_t)> friction;

@@ -52,11 +52,15 @@ namespace rift
       displacement,
       velocity,
       stress,
-      pressure
+      pressure,
+      force
     };
 
     std::string name;
     Field       field = Field::velocity;
+
+    /** Force on the rigid bodies of this material. */
+    std::string material;
 
     /** Index 0..2 of a vector's or 0..5 (xx yy zz yz xz xy) of stress. */
     unsigned int component = 0;
@@ -72,15 +76,15 @@ namespace rift
     declare(dealii::ParameterHandler &prm, const std::string &name);
 
     /**
-     * Reads subsection `Probe NAME`. Throws ParameterError if it has neither a
-     * boundary nor a point; having both is reported as an inert entry.
+     * Reads subsection `Probe NAME`. Throws ParameterError if it has no place:
+     * a material for forces, else a boundary or a point.
      */
     static ProbeParameters
     parse(dealii::ParameterHandler &prm,
           const std::string        &name,
           const ParameterFile      &scene);
 
-    /** The point has no effect where a boundary is given. */
+    /** Places that have no effect beside another. */
     std::vector<InertEntries>
     inert_entries() const;
   };

@@ -7,6 +7,7 @@
 #include <rift/discretization/state.h>
 #include <rift/io/output_parameters.h>
 #include <rift/mesh/surface.h>
+#include <rift/rigid/rigid_bodies.h>
 #include <rift/solid/internal_force.h>
 
 #include <string>
@@ -17,7 +18,7 @@ namespace rift
   /**
    * One number of the solution over time: a component of a field at a point of
    * the undeformed body, interpolated in the cell that holds it, or averaged
-   * over a surface by undeformed area. A rank computes the part of the cells
+   * over a surface by undeformed area, or the force on rigid bodies. A rank computes the part of the cells
    * that it owns; the sum over the ranks does not depend on who owns what.
    */
   class Probe
@@ -51,6 +52,7 @@ namespace rift
     ExactSum
     sum(const Topology                     &topology,
         const InternalForce                &internal_force,
+        const RigidBodies                  *rigid_bodies,
         const State                        &state,
         const std::vector<Vector3<double>> &velocity) const;
 
@@ -79,11 +81,16 @@ namespace rift
     std::vector<Sample> samples;
   };
 
-  /** The values of all probes, on all ranks. Collective. */
+  /**
+   * The values of all probes, on all ranks. Collective.
+   *
+   * @param rigid_bodies null where there are none, and no probe of forces.
+   */
   std::vector<double>
   probe_values(const std::vector<Probe>           &probes,
                const Topology                     &topology,
                const InternalForce                &internal_force,
+               const RigidBodies                  *rigid_bodies,
                const State                        &state,
                const std::vector<Vector3<double>> &velocity,
                const Communicator                 &communicator);

@@ -74,8 +74,20 @@ namespace rift
     }
   };
 
+  /** Of cells that do not deform: no stress, whatever the rounding. */
+  struct RigidElasticity
+  {
+    template <typename Number>
+    SymmetricTensor<Number>
+    stress(const SymmetricTensor<Number> &) const
+    {
+      return {};
+    }
+  };
+
   /** The elastic laws; a new one is a struct above and a name here. */
-  using Elasticity = std::variant<IsotropicElasticity, AnisotropicElasticity>;
+  using Elasticity =
+    std::variant<IsotropicElasticity, AnisotropicElasticity, RigidElasticity>;
 
   /** The law that a material asks for. */
   Elasticity

@@ -1,7 +1,7 @@
 #ifndef rift_material_material_parameters_h
 #define rift_material_material_parameters_h
 
-#include <rift/base/parameter_errors.h>
+#include <rift/base/parameter_file.h>
 #include <rift/base/vector3.h>
 
 #include <array>
@@ -24,7 +24,10 @@ namespace rift
     enum class Elasticity
     {
       isotropic,
-      anisotropic
+      anisotropic,
+
+      /** Does not deform at all. */
+      rigid
     };
 
     std::string name;
@@ -54,6 +57,10 @@ namespace rift
     /** Velocity at the start, m/s. */
     Vector3<double> initial_velocity = {{0, 0, 0}};
 
+    /** Rigid: functions of time that prescribe components of the velocity, m/s,
+     * as texts; empty where bodies are free. */
+    std::array<std::string, 3> velocity;
+
     /** Whether cohesive elements may be inserted inside this material. */
     bool breakable = true;
 
@@ -75,7 +82,15 @@ namespace rift
 
     /** Reads subsection `Material NAME`; degrees become rad. */
     static MaterialParameters
-    parse(dealii::ParameterHandler &prm, const std::string &name);
+    parse(dealii::ParameterHandler &prm,
+          const std::string        &name,
+          const ParameterFile      &scene);
+
+    bool
+    is_rigid() const
+    {
+      return elasticity == Elasticity::rigid;
+    }
 
     /**
      * Throws ParameterError for a density outside 500..25000 kg/m^3, a P-wave
@@ -83,7 +98,8 @@ namespace rift
      * store negative energy, parallel axes, a negative viscosity, negative
      * strengths or fracture energies, strengths that are not zero and outside
      * 1e-7..1 of the modulus of elasticity, a friction angle outside [0, 80]
-     * degrees and a Weibull modulus between 0 and 1.
+     * degrees, a Weibull modulus between 0 and 1, and a table that does not
+     * exist.
      */
     void
     check() const;

@@ -1,0 +1,167 @@
+#ifndef rift_rigid_rigid_bodies_h
+#define rift_rigid_rigid_bodies_h
+
+#include <rift/base/communicator.h>
+#include <rift/discretization/activity.h>
+#include <rift/discretization/work.h>
+#include <rift/loading/time_function.h>
+#include <rift/material/material_parameters.h>
+#include <rift/rigid/rigid_motion.h>
+#include <rift/rigid/rigid_pieces.h>
+
+#include <optional>
+#include <vector>
+
+namespace rift
+{
+  /** The motion of a rigid body, for a checkpoint. */
+  struct RigidBodyRecord
+  {
+    Vector3<double> displacement;
+    double          rotation;
+    Vector3<double> axis, velocity, angular_momentum;
+  };
+
+  /**
+   * The bodies whose cells do not deform. All ranks know the motion of all of
+   * them; each moves the nodes that it sees. The forces on the nodes are
+   * replaced by those that move them as a body, so that kick, drift and ledger
+   * need not know of it. Mass and inertia are those of the lumped masses.
+   */
+  class RigidBodies
+  {
+  public:
+    /**
+     * Collective.
+     *
+     * @param state of the undeformed bodies.
+     * @param materials by material index.
+     */
+    RigidBodies(const Topology                        &topology,
+                const State                           &state,
+                const RigidPieces                     &pieces,
+                const std::vector<MaterialParameters> &materials,
+                const Communicator                    &communicator);
+
+    /**
+     * Sets the velocities half a step before the start, as
+     * start_velocities() does for all else, which must have been called.
+     * Collective.
+     */
+    void
+    start(State &state, double time_step);
+
+    /**
+     * Moves the bodies to t_(n+1) and puts the forces on their nodes that take
+     * those there. To be called between the last force and the kick.
+     * Collective.
+     *
+     * @throws RunError on all ranks when a body turns too fast for the step.
+     */
+    void
+    move(State &state, Activity &activity, double time_step);
+
+    /** Work up to t_n, J, of what drives bodies, as of the last move(). */
+    Work &
+    work()
+    {
+      return work_done;
+    }
+
+    std::uint32_t
+    n_bodies() const
+    {
+      return static_cast<std::uint32_t>(bodies.size());
+    }
+
+    /** The body that a cell belongs to, or invalid_index. */
+    std::uint32_t
+    body(const CellIndex cell) const
+    {
+      return body_of_slot[cell];
+    }
+
+    /** Whether nothing but its velocities moves a material. */
+    bool
+    is_driven(std::uint16_t material) const;
+
+    /** Force on all bodies of a material as of the last move(), N: of contact,
+     * loads and gravity. The part of this rank. */
+    std::array<ExactSum, dim>
+    force(const std::string &material) const;
+
+    std::vector<RigidBodyRecord>
+    records() const;
+
+    void
+    restore(const std::vector<RigidBodyRecord> &records);
+
+  private:
+    struct Body
+    {
+      std::uint16_t material;
+
+      /** Those of its nodes that this rank moves, ascending. */
+      std::vector<NodeIndex> nodes;
+      RigidMass              mass;
+      RigidMotion            motion;
+
+      /** The part of this rank of force, N, and torque about the centre of
+       * mass, Nm. */
+      std::array<ExactSum, dim> force, torque;
+      bool                      is_awake = false;
+    };
+
+    /** Velocities that are prescribed for all bodies of a material. */
+    using Drive = std::array<std::optional<TimeFunction>, dim>;
+
+    /** Force, N, and torque about the centre of mass, Nm. */
+    struct Load
+    {
+      Vector3<double> force, torque;
+    };
+
+    void
+    find_nodes();
+
+    /** Collective. */
+    void
+    weigh(const State &state);
+
+    /** Makes the sums of all bodies. */
+    void
+    sum_forces(const State &state);
+
+    /** Of the bodies that move freely, on all ranks. Collective. */
+    std::vector<Load>
+    total_loads() const;
+
+    /** What is prescribed at a time, m/s. */
+    using DrivenVelocity = std::array<std::optional<double>, dim>;
+
+    /** By material. */
+    std::vector<DrivenVelocity>
+    driven_velocities(double time) const;
+
+    /** The motion with the velocities after a kick. */
+    RigidMotion
+    kicked(const Body           &body,
+           const Load           &load,
+           const DrivenVelocity &driven,
+           double                time_step) const;
+
+    /** Has the nodes of a body go from where they are to where it is. */
+    void
+    move_nodes(const Body &body, State &state, double time_step);
+
+    const Topology            &topology;
+    const Communicator        &communicator;
+    std::vector<std::uint32_t> body_of_slot;
+    std::vector<Body>          bodies;
+    std::vector<Drive>         drives;
+    std::vector<std::string>   material_names;
+    Work                       work_done;
+  };
+} // namespace rift
+
+#endif

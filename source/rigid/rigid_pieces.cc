@@ -1,0 +1,102 @@
+#include <rift/base/exceptions.h>
+#include <rift/mesh/face_table.h>
+#include <rift/rigid/rigid_pieces.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace rift
+{
+  namespace
+  {
+    [[noreturn]] void
+    refuse_shared_face(const MeshData       &mesh,
+                       const GlobalCellIndex a,
+                       const GlobalCellIndex b)
+    {
+      throw InputError(
+        "the mesh " + mesh.source + ": the rigid material \"" +
+        mesh.material_names[mesh.cell_materials[a]] + "\" and the material \"" +
+        mesh.material_names[mesh.cell_materials[b]] +
+        "\" share faces, but a rigid material acts on others by contact alone. "
+        "Mesh the two volumes apart, each with its own surface (in gmsh "
+        "without "
+        "Coherence and BooleanFragments).");
+    }
+  } // namespace
+
+  RigidPieces
+  find_rigid_pieces(const MeshData                        &mesh,
+                    const std::vector<MaterialParameters> &materials)
+  {
+    const auto is_rigid = [&](const GlobalCellIndex cell) {
+      return materials[mesh.cell_materials[cell]].is_rigid();
+    };
+    // The first cell of the piece that each cell is known to belong to.
+    std::vector<GlobalCellIndex> first(mesh.cells.size());
+    std::iota(first.begin(), first.end(), 0);
+    const auto find_first = [&first](GlobalCellIndex cell) {
+      while (first[cell] != cell)
+        cell = first[cell] = first[first[cell]];
+      return cell;
+    };
+    const FaceTable faces(mesh);
+    for (VertexIndex vertex = 0; vertex < faces.n_vertices(); ++vertex)
+      {
+        const auto sides = faces.faces_of(vertex);
+        for (auto b = sides.begin(); b != sides.end(); ++b)
+          {
+            const auto a = b - 1;
+            if (b == sides.begin() || a->middle != b->middle ||
+                a->largest != b->largest)
+              continue;
+            if (mesh.cell_materials[a->cell] == mesh.cell_materials[b->cell])
+              {
+                const GlobalCellIndex i = find_first(a->cell),
+                                      j = find_first(b->cell);
+                first[std::max(i, j)]   = std::min(i, j);
+              }
+            else if (is_rigid(a->cell))
+              refuse_shared_face(mesh, a->cell, b->cell);
+            else if (is_rigid(b->cell))
+              refuse_shared_face(mesh, b->cell, a->cell);
+          }
+      }
+
+    RigidPieces pieces;
+    pieces.body_of_cell.assign(mesh.cells.size(), invalid_index);
+    for (GlobalCellIndex cell = 0; cell < mesh.cells.size(); ++cell)
+      if (is_rigid(cell))
+        {
+          const GlobalCellIndex first_cell = find_first(cell);
+          if (first_cell == cell)
+            {
+              pieces.body_of_cell[cell] =
+                static_cast<std::uint32_t>(pieces.materials.size());
+              pieces.materials.push_back(mesh.cell_materials[cell]);
+            }
+          else
+            pieces.body_of_cell[cell] = pieces.body_of_cell[first_cell];
+        }
+    return pieces;
+  }
+
+  RigidPieces
+  share(const RigidPieces &pieces, const Communicator &communicator)
+  {
+    RigidPieces shared       = pieces;
+    const auto  share_vector = [&](auto &values) {
+      using T = std::decay_t<decltype(values[0])>;
+      std::string bytes(reinterpret_cast<const char *>(values.data()),
+                        values.size() * sizeof(T));
+      communicator.broadcast(bytes);
+      values.resize(bytes.size() / sizeof(T));
+      std::copy(bytes.begin(),
+                bytes.end(),
+                reinterpret_cast<char *>(values.data()));
+    };
+    share_vector(shared.body_of_cell);
+    share_vector(shared.materials);
+    return shared;
+  }
+} // namespace rift
