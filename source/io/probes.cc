@@ -190,7 +190,8 @@ namespace rift
   {
     std::vector<ExactSum> sums;
     for (const Probe &probe : probes)
-      sums.push_back(probe.sum(topology, internal_force, rigid_bodies, state, velocity));
+      sums.push_back(
+        probe.sum(topology, internal_force, rigid_bodies, state, velocity));
     std::vector<ExactSum *> pointers;
     for (ExactSum &sum : sums)
       pointers.push_back(&sum);

@@ -191,10 +191,11 @@ namespace rift
                                                   "Fracture energy I",
                                                   "Fracture energy II",
                                                   "Weibull modulus"};
-    const std::string              reason = is_rigid() ? "on a rigid material" :
-                                            elasticity == Elasticity::isotropic ?
-                                                         "on an isotropic material" :
-                                                         "on an anisotropic material";
+    std::string                    reason      = "on an isotropic material";
+    if (elasticity == Elasticity::anisotropic)
+      reason = "on an anisotropic material";
+    if (is_rigid())
+      reason = "on a rigid material";
     if (elasticity != Elasticity::isotropic)
       add(isotropic, "Elasticity", reason);
     if (elasticity != Elasticity::anisotropic)

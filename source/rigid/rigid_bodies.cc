@@ -349,7 +349,8 @@ namespace rift
   {
     std::array<ExactSum, dim> sums;
     for (const Body &body : bodies)
-      for (unsigned int d = 0; d < dim && material_names[body.material] == material;
+      for (unsigned int d = 0;
+           d < dim && material_names[body.material] == material;
            ++d)
         sums[d].add(body.force[d]);
     return sums;

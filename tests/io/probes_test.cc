@@ -47,7 +47,7 @@ namespace
         body.topology,
         body.reference,
         body.state,
-        ProbeParameters{"p", field, component, boundary, point},
+        ProbeParameters{"p", field, "", component, boundary, point},
         surface,
         communicator);
     return probe_values(probes,

@@ -42,8 +42,8 @@ TEST(Rigid, HammerIsSlowedDownByTheWave)
           early_time = state.time;
         }
     }
-  // Cells of a quarter of the width; with half of that it is 0.6 % (README.md of
-  // the scene).
+  // Cells of a quarter of the width; half of that gives 0.6 % (README.md of the
+  // scene).
   EXPECT_NEAR(std::log(early / hammer_speed()) / (state.time - early_time) /
                 rate,
               1,
