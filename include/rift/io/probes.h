@@ -19,8 +19,8 @@ namespace rift
    * One number of the solution over time: a component of a field at a point of
    * the undeformed body, interpolated in the cell that holds it, or averaged
    * over a surface by undeformed area, or the force on rigid bodies. A rank
-   * computes the part of the cells that it owns; the sum over the ranks does not
-   * depend on who owns what.
+   * computes the part of the cells that it owns; the sum over the ranks does
+   * not depend on who owns what.
    */
   class Probe
   {
