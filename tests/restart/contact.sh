@@ -1,5 +1,6 @@
 # Goes on in the midst of contact, on other ranks: a block that slides over a
-# table, a bar whose pieces fly apart and meet, a rigid block that turns.
+# table, a bar whose pieces fly apart and meet, a rigid block that turns, a heap
+# of fragments.
 #
 #   bash contact.sh RIFT RANKS
 . "$(dirname "$0")/common.sh"
@@ -31,3 +32,10 @@ goes_on bar 360 "$here/spalling.prm" --set Contact/Contact=true \
 goes_on rigid 200 "$here/../scenes/rigid_collision.prm" \
   --set "Time/End time=2.5e-4"
 ! grep -q '"contact_pairs": 0,' rigid/summary.json || fail "nothing touches"
+
+goes_on pile 1000 "$contact/pile.prm" \
+  --set "Mesh/Parameters=n_x = 3, n_y = 3, n_z = 2" \
+  --set "Material lower/Initial velocity=0.3, 0, -2" \
+  --set "Material upper/Initial velocity=0, 0.2, -3" \
+  --set "Time/End time=0.03" --set "Output/Solution interval=0.03"
+! grep -q '"contact_pairs": 0,' pile/summary.json || fail "nothing touches"
