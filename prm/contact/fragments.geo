@@ -76,15 +76,17 @@ half = n_x * n_y * Floor(n_z / 2);
 Physical Volume("lower") = {1 : half};
 Physical Volume("upper") = {half + 1 : n};
 
-
 If (with_box)
   wall = fragment_size;
   For m In {0 : 1}
     point = newp;
     For k In {0 : 7}
-      Point(point + k) = {n_x * cell * (k % 2) + m * wall * (2 * (k % 2) - 1),
-                          n_y * cell * (Floor(k / 2) % 2) + m * wall * (2 * (Floor(k / 2) % 2) - 1),
-                          n_z * cell * Floor(k / 4) + m * wall * (2 * Floor(k / 4) - 1), 2 * wall};
+      i = k % 2;
+      j = Floor(k / 2) % 2;
+      l = Floor(k / 4);
+      Point(point + k) = {n_x * cell * i + m * wall * (2 * i - 1),
+                          n_y * cell * j + m * wall * (2 * j - 1),
+                          n_z * cell * l + m * wall * (2 * l - 1), 2 * wall};
     EndFor
     line = newl;
     For k In {0 : 11}
