@@ -1,8 +1,8 @@
+#include <rift/base/bytes.h>
 #include <rift/contact/contact_force.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <map>
 
 namespace rift
@@ -37,24 +37,6 @@ namespace rift
         communicator.sum(static_cast<std::int64_t>(surface.cells().size()));
       return skin_per_size * number / sum.value();
     }
-
-    template <typename T>
-    std::string
-    bytes_of(const std::vector<T> &values)
-    {
-      return {reinterpret_cast<const char *>(values.data()),
-              values.size() * sizeof(T)};
-    }
-
-    template <typename T>
-    std::vector<T>
-    values_of(const std::string &bytes)
-    {
-      std::vector<T> values(bytes.size() / sizeof(T));
-      if (!bytes.empty())
-        std::memcpy(values.data(), bytes.data(), bytes.size());
-      return values;
-    }
   } // namespace
 
   ContactForce::ContactForce(const Topology     &topology,
@@ -66,6 +48,9 @@ namespace rift
     , interface(std::move(interface))
     , surface(topology)
     , skin(skin_of(surface, topology, state, communicator))
+    , rendezvous(communicator, skin, [this](const ContactCell &cell) {
+      return surface.viewers(this->topology.find_cell(cell.cell));
+    })
   {
   }
 
@@ -139,15 +124,11 @@ namespace rift
     searched_positions.clear();
     for (const CellIndex cell : searched_cells)
       searched_positions.push_back(motion_of(topology, state, cell).positions);
-
-    const auto cells =
-      gather_cells(own_cells(state, searched_cells), communicator);
-    take(cells, find_candidates(cells, skin));
+    take(rendezvous.search(own_cells(state, searched_cells)));
   }
 
   void
-  ContactForce::take(const std::vector<ContactCell>      &cells,
-                     const std::vector<ContactCandidate> &candidates)
+  ContactForce::take(const ContactNeighbourhood &neighbourhood)
   {
     // Old and new pairs are in the same order.
     const std::vector<Member> old_members = std::move(members);
@@ -158,42 +139,40 @@ namespace rift
     };
     auto old = old_pairs.begin();
 
-    std::vector<CellIndex> local;
-    for (const ContactCell &cell : cells)
-      local.push_back(topology.find_cell(cell.cell));
-    std::vector<std::uint32_t> member_of(cells.size(), invalid_index);
+    const std::vector<ContactCell> &cells = neighbourhood.cells;
+    std::vector<std::uint32_t>      member_of(cells.size(), invalid_index);
     members.clear();
     pairs.clear();
+    pairs.reserve(neighbourhood.pairs.size());
     const auto member = [&](const std::uint32_t cell) {
       if (member_of[cell] == invalid_index)
         {
           member_of[cell] = static_cast<std::uint32_t>(members.size());
-          members.push_back({cells[cell], local[cell]});
+          members.push_back(
+            {cells[cell], topology.find_cell(cells[cell].cell)});
         }
       return member_of[cell];
     };
-    for (const ContactCandidate &candidate : candidates)
-      if (local[candidate.a] != invalid_index ||
-          local[candidate.b] != invalid_index)
-        {
-          const ContactCell &a = cells[candidate.a], &b = cells[candidate.b];
-          const auto         name = std::make_pair(a.cell, b.cell);
-          while (old != old_pairs.end() && name_of(*old) < name)
-            ++old;
-          Pair pair{};
-          if (old != old_pairs.end() && name_of(*old) == name)
-            pair = *old;
-          else
-            pair.memory.free_potential =
-              overlap(a.motion.positions, b.motion.positions).potential;
-          pair.a         = member(candidate.a);
-          pair.b         = member(candidate.b);
-          pair.constants = {std::min(a.constants.penalty, b.constants.penalty),
-                            interface.friction(a.material, b.material),
-                            interface.damping,
-                            1 / (1 / a.constants.mass + 1 / b.constants.mass)};
-          pairs.push_back(pair);
-        }
+    for (const BoxPair &found : neighbourhood.pairs)
+      {
+        const ContactCell &a = cells[found.first], &b = cells[found.second];
+        const auto         name = std::make_pair(a.cell, b.cell);
+        while (old != old_pairs.end() && name_of(*old) < name)
+          ++old;
+        Pair pair{};
+        if (old != old_pairs.end() && name_of(*old) == name)
+          pair = *old;
+        else
+          pair.memory.free_potential =
+            overlap(a.motion.positions, b.motion.positions).potential;
+        pair.a         = member(found.first);
+        pair.b         = member(found.second);
+        pair.constants = {std::min(a.constants.penalty, b.constants.penalty),
+                          interface.friction(a.material, b.material),
+                          interface.damping,
+                          1 / (1 / a.constants.mass + 1 / b.constants.mass)};
+        pairs.push_back(pair);
+      }
     ask_owners();
   }
 
@@ -215,14 +194,14 @@ namespace rift
       tellers.push_back(std::move(partner));
     std::map<int, std::string> messages;
     for (const auto &[rank, cells] : wanted)
-      messages[rank] = bytes_of(cells);
+      messages[rank] = to_bytes(cells);
     has_partners = communicator.any(!messages.empty());
     if (!has_partners)
       return;
     for (const auto &[rank, bytes] : communicator.exchange(messages))
       {
         Partner listener{rank, {}};
-        for (const GlobalCellIndex cell : values_of<GlobalCellIndex>(bytes))
+        for (const GlobalCellIndex cell : from_bytes<GlobalCellIndex>(bytes))
           listener.cells.push_back(topology.find_cell(cell));
         listeners.push_back(std::move(listener));
       }
@@ -242,12 +221,12 @@ namespace rift
         std::vector<CellMotion> motions;
         for (const CellIndex cell : listener.cells)
           motions.push_back(motion_of(topology, state, cell));
-        messages[listener.rank] = bytes_of(motions);
+        messages[listener.rank] = to_bytes(motions);
       }
     const auto received = communicator.exchange(messages);
     for (const Partner &teller : tellers)
       {
-        const auto motions = values_of<CellMotion>(received.at(teller.rank));
+        const auto motions = from_bytes<CellMotion>(received.at(teller.rank));
         for (std::size_t i = 0; i < motions.size(); ++i)
           members[teller.cells[i]].cell.motion = motions[i];
       }

@@ -128,26 +128,14 @@ namespace rift
         searched_positions.push_back(positions);
       }
 
-    const auto cells =
-      gather_cells(own_cells(state, searched_cells), communicator);
-    const auto position = [&cells](const GlobalCellIndex cell) {
-      return static_cast<std::uint32_t>(
-        std::lower_bound(cells.begin(),
-                         cells.end(),
-                         cell,
-                         [](const ContactCell &a, const GlobalCellIndex b) {
-                           return a.cell < b;
-                         }) -
-        cells.begin());
-    };
     std::vector<ContactPairRecord> sorted = pair_records;
     std::sort(sorted.begin(), sorted.end(), [](const auto &x, const auto &y) {
       return std::make_pair(x.a, x.b) < std::make_pair(y.a, y.b);
     });
-    std::vector<ContactCandidate> candidates;
+    std::vector<Rendezvous::NamedPair> names;
     for (const ContactPairRecord &record : sorted)
-      candidates.push_back({position(record.a), position(record.b)});
-    take(cells, candidates);
+      names.emplace_back(record.a, record.b);
+    take(rendezvous.join(own_cells(state, searched_cells), names));
     auto record = sorted.begin();
     for (Pair &pair : pairs)
       {

@@ -91,6 +91,23 @@ namespace rift
     return result;
   }
 
+  std::vector<int>
+  ContactSurface::viewers(const CellIndex cell) const
+  {
+    std::vector<int> ranks;
+    for (unsigned int c = 0; c < n_corners; ++c)
+      {
+        const VertexIndex vertex = topology.vertex(cell, c);
+        for (auto other = topology.vertex_cells_first(vertex);
+             other != topology.vertex_cells_last(vertex);
+             ++other)
+          ranks.push_back(topology.cell_owners[*other]);
+      }
+    std::sort(ranks.begin(), ranks.end());
+    ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
+    return ranks;
+  }
+
   CellMotion
   motion_of(const Topology &topology, const State &state, const CellIndex cell)
   {

@@ -22,7 +22,12 @@ namespace
     return pairs;
   }
 
-  constexpr std::size_t no_limit = -1;
+  /** All of them. */
+  std::vector<BoxPair>
+  find_all(const std::vector<Box> &boxes)
+  {
+    return *find_touching(boxes, -1, [](const BoxPair &) { return true; });
+  }
 
   /** A unit cube of n^3 boxes that touch their neighbours. */
   std::vector<Box>
@@ -63,7 +68,7 @@ TEST(BroadPhase, MissesNoPairInRandomStates)
         }
       const auto expected = brute_force(boxes);
       n_pairs += expected.size();
-      ASSERT_EQ(find_touching(boxes, no_limit), expected) << state;
+      ASSERT_EQ(find_all(boxes), expected) << state;
     }
   EXPECT_GT(n_pairs, 40000U);
 }
@@ -74,13 +79,13 @@ TEST(BroadPhase, FindsBoxesThatJustTouch)
     {
       // Sums of an edge length differ by rounding: compare with the same test.
       const std::vector<Box> boxes = lattice(6, size);
-      const auto             pairs = find_touching(boxes, no_limit);
+      const auto             pairs = find_all(boxes);
       EXPECT_EQ(pairs, brute_force(boxes));
     }
   // Each inner box of a lattice touches 26 others.
   const std::vector<Box> boxes  = lattice(6, .5);
   unsigned int           number = 0;
-  for (const BoxPair &pair : find_touching(boxes, no_limit))
+  for (const BoxPair &pair : find_all(boxes))
     number += pair.first == 43 || pair.second == 43;
   EXPECT_EQ(number, 26U);
 }
@@ -90,14 +95,32 @@ TEST(BroadPhase, KnowsOneAmongManySmallOnes)
   std::vector<Box> boxes = lattice(12, 1. / 12);
   boxes.push_back({{{-1, -1, -1}}, {{2, 2, 2}}});
   boxes.push_back({{{.5, .5, .5}}, {{.5, .5, .5}}});
-  EXPECT_EQ(find_touching(boxes, no_limit), brute_force(boxes));
+  EXPECT_EQ(find_all(boxes), brute_force(boxes));
+}
+
+TEST(BroadPhase, KeepsThePairsThatAreWanted)
+{
+  const std::vector<Box> boxes  = lattice(6, .5);
+  const auto             is_odd = [](const BoxPair &pair) {
+    return (pair.first + pair.second) % 2 == 1;
+  };
+  std::vector<BoxPair> expected;
+  for (const BoxPair &pair : brute_force(boxes))
+    if (is_odd(pair))
+      expected.push_back(pair);
+  EXPECT_EQ(find_touching(boxes, 10000, is_odd), expected);
 }
 
 TEST(BroadPhase, StopsWhenThereAreTooManyPairs)
 {
   const std::vector<Box> boxes(1000, Box{{{0, 0, 0}}, {{1, 1, 1}}});
-  const std::size_t      n = find_touching(boxes, 5000).size();
-  EXPECT_GT(n, 5000U);
-  EXPECT_LT(n, 7000U);
-  EXPECT_TRUE(find_touching({}, 0).empty());
+  std::size_t            n_found = 0;
+  const auto             count   = [&](const BoxPair &) {
+    ++n_found;
+    return false;
+  };
+  EXPECT_FALSE(find_touching(boxes, 5000, count));
+  EXPECT_LT(n_found, 7000U);
+  EXPECT_TRUE(find_touching(boxes, 1000 * 999 / 2, count));
+  EXPECT_TRUE(find_touching({}, 0, count)->empty());
 }

@@ -2,8 +2,8 @@
 #define rift_contact_contact_force_h
 
 #include <rift/base/exact_sum.h>
-#include <rift/contact/contact_search.h>
 #include <rift/contact/contact_surface.h>
+#include <rift/contact/rendezvous.h>
 #include <rift/discretization/activity.h>
 #include <rift/material/material_parameters.h>
 
@@ -87,6 +87,10 @@ namespace rift
                  const State        &state,
                  const Communicator &communicator,
                  Interface           interface);
+
+    ContactForce(const ContactForce &) = delete;
+    ContactForce &
+    operator=(const ContactForce &) = delete;
 
     /** The least and the largest penalty of cells at outer surfaces, Pa.
      * Collective. */
@@ -193,8 +197,7 @@ namespace rift
 
     /** Makes the members and the pairs that concern this rank. */
     void
-    take(const std::vector<ContactCell>      &cells,
-         const std::vector<ContactCandidate> &candidates);
+    take(const ContactNeighbourhood &neighbourhood);
 
     /** Asks the owners of cells to tell how they move. */
     void
@@ -215,6 +218,7 @@ namespace rift
 
     ContactSurface surface;
     const double   skin;
+    Rendezvous     rendezvous;
 
     /** Own cells at the last search and where they were. */
     std::vector<CellIndex>   searched_cells;

@@ -43,6 +43,10 @@ namespace rift
     ContactCell
     describe(CellIndex cell, int owner, const IsHeld &is_held) const;
 
+    /** The ranks that see a cell of this rank; ascending. */
+    std::vector<int>
+    viewers(CellIndex cell) const;
+
   private:
     const Topology           &topology;
     std::vector<std::uint8_t> is_member;

@@ -1,0 +1,253 @@
+#include <rift/base/bytes.h>
+#include <rift/contact/background_octree.h>
+#include <rift/contact/rendezvous.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace rift
+{
+  namespace
+  {
+    /** Space is divided anew when the rank with most cells has so many times
+     * what it had when that was done last. */
+    constexpr double largest_growth = 1.5;
+
+    /** What has come from each rank that has sent something, by rank. */
+    template <typename T>
+    std::vector<std::vector<T>>
+    exchange_vectors(const std::map<int, std::vector<T>> &data,
+                     const Communicator                  &communicator)
+    {
+      std::map<int, std::string> messages;
+      for (const auto &[rank, values] : data)
+        messages[rank] = to_bytes(values);
+      std::vector<std::vector<T>> received;
+      for (const auto &[rank, bytes] : communicator.exchange(messages))
+        received.push_back(from_bytes<T>(bytes));
+      return received;
+    }
+
+    bool
+    comes_before(const ContactCell &cell, const GlobalCellIndex name)
+    {
+      return cell.cell < name;
+    }
+
+    /** Where a cell that is there stands. */
+    std::uint32_t
+    position_of(const GlobalCellIndex           name,
+                const std::vector<ContactCell> &cells)
+    {
+      return static_cast<std::uint32_t>(
+        std::lower_bound(cells.begin(), cells.end(), name, comes_before) -
+        cells.begin());
+    }
+
+    /** Some pairs and the cells in them. */
+    ContactNeighbourhood
+    select(const std::vector<ContactCell> &cells,
+           const std::vector<BoxPair>     &pairs)
+    {
+      std::vector<std::uint32_t> position(cells.size(), invalid_index);
+      for (const BoxPair &pair : pairs)
+        position[pair.first] = position[pair.second] = 0;
+      ContactNeighbourhood result;
+      for (std::size_t i = 0; i < cells.size(); ++i)
+        if (position[i] != invalid_index)
+          {
+            position[i] = static_cast<std::uint32_t>(result.cells.size());
+            result.cells.push_back(cells[i]);
+          }
+      for (const BoxPair &pair : pairs)
+        result.pairs.push_back({position[pair.first], position[pair.second]});
+      return result;
+    }
+
+    /** No pair is in two of the parts; cells may be. */
+    ContactNeighbourhood
+    unite(const std::vector<ContactNeighbourhood> &parts)
+    {
+      ContactNeighbourhood result;
+      auto                &cells = result.cells;
+      for (const ContactNeighbourhood &part : parts)
+        cells.insert(cells.end(), part.cells.begin(), part.cells.end());
+      std::sort(cells.begin(), cells.end(), [](const auto &a, const auto &b) {
+        return a.cell < b.cell;
+      });
+      cells.erase(std::unique(cells.begin(),
+                              cells.end(),
+                              [](const auto &a, const auto &b) {
+                                return a.cell == b.cell;
+                              }),
+                  cells.end());
+
+      for (const ContactNeighbourhood &part : parts)
+        {
+          std::vector<std::uint32_t> position;
+          for (const ContactCell &cell : part.cells)
+            position.push_back(position_of(cell.cell, cells));
+          for (const BoxPair &pair : part.pairs)
+            result.pairs.push_back(
+              {position[pair.first], position[pair.second]});
+        }
+      result.pairs = sort_pairs(result.pairs, cells.size());
+      return result;
+    }
+  } // namespace
+
+  Rendezvous::Rendezvous(const Communicator &communicator,
+                         const double        skin,
+                         Viewers             viewers)
+    : communicator(communicator)
+    , skin(skin)
+    , viewers(std::move(viewers))
+  {
+  }
+
+  void
+  Rendezvous::divide(const std::vector<ContactCell> &own)
+  {
+    std::vector<Vector3<double>> centres;
+    for (const ContactCell &cell : own)
+      {
+        const Box box = box_around(cell.motion.positions, 0);
+        centres.push_back(.5 * (box.lower + box.upper));
+      }
+    division = divide_space(centres, communicator);
+  }
+
+  ContactNeighbourhood
+  Rendezvous::search(std::vector<ContactCell> own)
+  {
+    if (communicator.size() == 1)
+      {
+        std::vector<BoxPair> pairs = find_candidates(own, skin, division, 0);
+        return {std::move(own), std::move(pairs)};
+      }
+
+    const bool is_new =
+      !(largest_number < largest_growth * largest_number_at_first);
+    if (is_new)
+      divide(own);
+    const Guests guests = invite(own, [this](const ContactCell &cell) {
+      return division.ranks_of(box_around(cell.motion.positions, skin / 2));
+    });
+    largest_number      = communicator.max(guests.cells.size());
+    if (is_new)
+      largest_number_at_first = largest_number;
+
+    std::vector<BoxPair> pairs;
+    communicator.together([&] {
+      pairs =
+        find_candidates(guests.cells, skin, division, communicator.rank());
+    });
+    return tell(guests, pairs);
+  }
+
+  ContactNeighbourhood
+  Rendezvous::join(const std::vector<ContactCell> &own,
+                   const std::vector<NamedPair>   &pairs) const
+  {
+    // The two cells of a pair meet at a rank that follows from their names.
+    const auto place_of = [this](const NamedPair &pair) {
+      return static_cast<int>(pair.first % communicator.size());
+    };
+    std::map<GlobalCellIndex, std::vector<int>> places;
+    for (const NamedPair &pair : pairs)
+      for (const GlobalCellIndex cell : {pair.first, pair.second})
+        {
+          const std::uint32_t position = position_of(cell, own);
+          if (position < own.size() && own[position].cell == cell)
+            places[cell].push_back(place_of(pair));
+        }
+    for (auto &[cell, ranks] : places)
+      {
+        std::sort(ranks.begin(), ranks.end());
+        ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
+      }
+
+    const Guests         guests = invite(own, [&](const ContactCell &cell) {
+      const auto found = places.find(cell.cell);
+      return found == places.end() ? std::vector<int>() : found->second;
+    });
+    std::vector<BoxPair> own_pairs;
+    for (const NamedPair &pair : pairs)
+      if (place_of(pair) == communicator.rank())
+        own_pairs.push_back({position_of(pair.first, guests.cells),
+                             position_of(pair.second, guests.cells)});
+    return tell(guests, own_pairs);
+  }
+
+  Rendezvous::Guests
+  Rendezvous::invite(const std::vector<ContactCell> &own,
+                     const Places                   &places) const
+  {
+    std::map<int, std::vector<ContactCell>> cells;
+    // Of each cell the number of those who see it, and these.
+    std::map<int, std::vector<int>> views;
+    for (const ContactCell &cell : own)
+      for (const int place : places(cell))
+        {
+          cells[place].push_back(cell);
+          const std::vector<int> ranks = viewers(cell);
+          std::vector<int>      &view  = views[place];
+          view.push_back(static_cast<int>(ranks.size()));
+          view.insert(view.end(), ranks.begin(), ranks.end());
+        }
+    std::vector<ContactCell>      all;
+    std::vector<std::vector<int>> all_viewers;
+    for (const auto &message : exchange_vectors(cells, communicator))
+      all.insert(all.end(), message.begin(), message.end());
+    for (const auto &message : exchange_vectors(views, communicator))
+      for (auto i = message.begin(); i != message.end(); i += 1 + *i)
+        all_viewers.emplace_back(i + 1, i + 1 + *i);
+
+    std::vector<std::uint32_t> order(all.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
+      return all[a].cell < all[b].cell;
+    });
+    Guests guests;
+    for (const std::uint32_t i : order)
+      {
+        guests.cells.push_back(all[i]);
+        guests.viewers.push_back(std::move(all_viewers[i]));
+      }
+    return guests;
+  }
+
+  ContactNeighbourhood
+  Rendezvous::tell(const Guests               &guests,
+                   const std::vector<BoxPair> &pairs) const
+  {
+    std::map<int, std::vector<BoxPair>> concerned;
+    for (const BoxPair &pair : pairs)
+      {
+        const auto &of_first  = guests.viewers[pair.first],
+                   &of_second = guests.viewers[pair.second];
+        std::vector<int> ranks;
+        std::set_union(of_first.begin(),
+                       of_first.end(),
+                       of_second.begin(),
+                       of_second.end(),
+                       std::back_inserter(ranks));
+        for (const int rank : ranks)
+          concerned[rank].push_back(pair);
+      }
+    std::map<int, std::vector<ContactCell>> cells;
+    std::map<int, std::vector<BoxPair>>     told;
+    for (auto &[rank, of_rank] : concerned)
+      {
+        ContactNeighbourhood part = select(guests.cells, of_rank);
+        cells[rank]               = std::move(part.cells);
+        told[rank]                = std::move(part.pairs);
+      }
+    const auto new_cells = exchange_vectors(cells, communicator);
+    const auto new_pairs = exchange_vectors(told, communicator);
+    std::vector<ContactNeighbourhood> parts;
+    for (std::size_t i = 0; i < new_cells.size(); ++i)
+      parts.push_back({new_cells[i], new_pairs[i]});
+    return unite(parts);
+  }
+} // namespace rift
