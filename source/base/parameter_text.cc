@@ -69,6 +69,20 @@ namespace rift
     return text.size() > longest ? result + "..." : result;
   }
 
+  std::vector<std::string>
+  split(const std::string &text, const char separator)
+  {
+    std::vector<std::string> parts;
+    for (std::size_t begin = 0; begin < text.size();)
+      {
+        const std::size_t end =
+          std::min(text.find(separator, begin), text.size());
+        parts.push_back(simplified(text.substr(begin, end - begin)));
+        begin = end + 1;
+      }
+    return parts;
+  }
+
   bool
   ends_with(const std::string &text, const std::string &ending)
   {

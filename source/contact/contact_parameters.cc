@@ -54,7 +54,7 @@ namespace rift
         }
       throw ParameterError(section,
                            pairs_name,
-                           "\"" + text_of(text) +
+                           "\"" + text +
                              "\" is not of the form \"granite - steel: 0.3\"; "
                              "put commas between pairs.");
     }
@@ -63,12 +63,8 @@ namespace rift
     read_pairs(const std::string &text)
     {
       std::vector<ContactParameters::PairFriction> pairs;
-      for (std::size_t begin = 0; begin < text.size();)
-        {
-          const std::size_t end = std::min(text.find(',', begin), text.size());
-          pairs.push_back(read_pair(text.substr(begin, end - begin)));
-          begin = end + 1;
-        }
+      for (const std::string &part : split(text, ','))
+        pairs.push_back(read_pair(part));
       return pairs;
     }
 

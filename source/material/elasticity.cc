@@ -11,17 +11,29 @@ namespace rift
       return {e * nu / ((1 + nu) * (1 - 2 * nu)), e / (2 * (1 + nu))};
     }
 
-    AnisotropicElasticity
-    make_anisotropic(const MaterialParameters &p)
+    StiffnessMatrix
+    in_material_axes(const MaterialParameters &p)
     {
-      StiffnessMatrix in_material_axes;
+      // What leaves no stiffness has been refused before.
+      if (p.elasticity == MaterialParameters::Elasticity::microcracked)
+        return stiffness_with_cracks(isotropic_stiffness(p),
+                                     p.crack_groups,
+                                     p.crack_scheme)
+          .value();
+      StiffnessMatrix stiffness;
       unsigned int    k = 0;
       for (unsigned int i = 0; i < 6; ++i)
         for (unsigned int j = i; j < 6; ++j, ++k)
-          in_material_axes[i][j] = in_material_axes[j][i] = p.stiffness[k];
+          stiffness[i][j] = stiffness[j][i] = p.stiffness[k];
+      return stiffness;
+    }
 
+    AnisotropicElasticity
+    make_anisotropic(const MaterialParameters &p)
+    {
       AnisotropicElasticity law{
-        rotate_stiffness(in_material_axes, material_axes(p.axis_1, p.axis_2))};
+        rotate_stiffness(in_material_axes(p),
+                         material_axes(p.axis_1, p.axis_2))};
       // The law sums over the six components of a strain, so that each shear
       // component stands for two.
       for (auto &row : law.stiffness)
@@ -30,6 +42,12 @@ namespace rift
       return law;
     }
   } // namespace
+
+  StiffnessMatrix
+  isotropic_stiffness(const MaterialParameters &p)
+  {
+    return stiffness_matrix(make_isotropic(p));
+  }
 
   Elasticity
   make_elasticity(const MaterialParameters &p)

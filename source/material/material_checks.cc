@@ -1,6 +1,6 @@
 #include <rift/base/parameter_declarations.h>
 #include <rift/base/parameter_text.h>
-#include <rift/material/material_parameters.h>
+#include <rift/material/elasticity.h>
 
 #include <algorithm>
 #include <cmath>
@@ -134,6 +134,20 @@ namespace rift
     }
 
     void
+    check_axes(const MaterialParameters &material, const Refuse &refuse)
+    {
+      const double length_1 = norm(material.axis_1);
+      const double length_2 = norm(material.axis_2);
+      if (!(length_1 > 0))
+        refuse("Axis 1", "an axis cannot be zero.");
+      if (!(length_2 > 0))
+        refuse("Axis 2", "an axis cannot be zero.");
+      if (!(norm(cross(material.axis_1, material.axis_2)) >
+            1e-6 * length_1 * length_2))
+        refuse("Axis 2", "this is parallel to Axis 1.");
+    }
+
+    void
     check_anisotropic(const MaterialParameters &material, const Refuse &refuse)
     {
       const Matrix6 kelvin  = kelvin_matrix(material.stiffness);
@@ -152,22 +166,37 @@ namespace rift
       for (unsigned int i = 0; i < 3; ++i)
         check_wave_speed(material, kelvin[i][i], "Stiffness", refuse);
 
-      const double length_1 = norm(material.axis_1);
-      const double length_2 = norm(material.axis_2);
-      if (!(length_1 > 0))
-        refuse("Axis 1", "an axis cannot be zero.");
-      if (!(length_2 > 0))
-        refuse("Axis 2", "an axis cannot be zero.");
-      if (!(norm(cross(material.axis_1, material.axis_2)) >
-            1e-6 * length_1 * length_2))
-        refuse("Axis 2", "this is parallel to Axis 1.");
+      check_axes(material, refuse);
+    }
+
+    /** The groups, and that they leave a stiffness. */
+    void
+    check_cracks(const MaterialParameters &material, const Refuse &refuse)
+    {
+      const char *const name = "Crack groups";
+      if (material.crack_groups.empty())
+        refuse(name, "a microcracked material needs a group of cracks.");
+      for (const CrackGroup &group : material.crack_groups)
+        {
+          if (!(group.density >= 0))
+            refuse(name, "a density cannot be negative.");
+          if (group.normal && !(norm(*group.normal) > 0))
+            refuse(name, "a normal cannot be zero.");
+        }
+      if (!stiffness_with_cracks(isotropic_stiffness(material),
+                                 material.crack_groups,
+                                 material.crack_scheme))
+        refuse(name,
+               "so many cracks leave no stiffness. Give smaller densities, or "
+               "another Crack scheme.");
+      check_axes(material, refuse);
     }
 
     /** Young's modulus, or the largest stiffness there is, Pa. */
     double
     typical_modulus(const MaterialParameters &material)
     {
-      if (material.elasticity == MaterialParameters::Elasticity::isotropic)
+      if (material.elasticity != MaterialParameters::Elasticity::anisotropic)
         return material.youngs_modulus;
       return *std::max_element(material.stiffness.begin(),
                                material.stiffness.end());
@@ -237,10 +266,12 @@ namespace rift
                      velocity[d]);
     if (is_rigid())
       return;
-    if (elasticity == Elasticity::isotropic)
-      check_isotropic(*this, refuse);
-    else
+    if (elasticity == Elasticity::anisotropic)
       check_anisotropic(*this, refuse);
+    else
+      check_isotropic(*this, refuse);
+    if (elasticity == Elasticity::microcracked)
+      check_cracks(*this, refuse);
     check_strength(*this, refuse);
   }
 

@@ -1,5 +1,6 @@
 #include <deal.II/base/parameter_handler.h>
 
+#include <rift/base/number_text.h>
 #include <rift/base/parameter_declarations.h>
 #include <rift/base/parameter_text.h>
 #include <rift/material/material_parameters.h>
@@ -19,25 +20,71 @@ namespace rift
       return "Material " + name;
     }
 
+    const std::array<std::pair<std::string, CrackScheme>, 4> scheme_words = {
+      {{"differential", CrackScheme::differential},
+       {"differential in order", CrackScheme::differential_in_order},
+       {"dilute", CrackScheme::dilute},
+       {"self-consistent", CrackScheme::self_consistent}}};
+
+    std::string
+    scheme_selection()
+    {
+      std::string words;
+      for (const auto &word : scheme_words)
+        words += (words.empty() ? "" : "|") + word.first;
+      return words;
+    }
+
+    /** "0 1 0: 0.06" or "random: 0.2" */
+    CrackGroup
+    read_crack_group(const std::string &text, const std::string &section)
+    {
+      const std::size_t colon = std::min(text.find(':'), text.size());
+      const auto        words = split(simplified(text.substr(0, colon)), ' ');
+      CrackGroup        group{};
+      bool              is_good =
+        colon < text.size() &&
+        from_text(simplified(text.substr(colon + 1)), group.density);
+      if (words.size() == 3)
+        {
+          group.normal.emplace();
+          for (unsigned int d = 0; d < 3; ++d)
+            is_good = is_good && from_text(words[d], (*group.normal)[d]);
+        }
+      else
+        is_good = is_good && words.size() == 1 && words[0] == "random";
+      if (!is_good)
+        throw ParameterError(section,
+                             "Crack groups",
+                             "\"" + text +
+                               "\" is not of the form \"0 1 0: 0.06\" or "
+                               "\"random: 0.2\"; put commas between groups.");
+      return group;
+    }
+
     void
     declare_elasticity(ParameterHandler &prm)
     {
       const MaterialParameters defaults;
-      prm.declare_entry("Elasticity",
-                        "isotropic",
-                        Patterns::Selection("isotropic|anisotropic|rigid"),
-                        "Isotropic with two constants, anisotropic with 21, or "
-                        "rigid: does not deform and acts on others by contact "
-                        "alone.");
+      prm.declare_entry(
+        "Elasticity",
+        "isotropic",
+        Patterns::Selection("isotropic|anisotropic|microcracked|rigid"),
+        "Isotropic with two constants, anisotropic with 21, "
+        "microcracked: what groups of microcracks leave of an "
+        "isotropic one, or rigid: does not deform and acts on others by "
+        "contact "
+        "alone.");
       declare_number(prm,
                      "Young's modulus",
                      defaults.youngs_modulus,
-                     "Young's modulus of an isotropic material. Must be set. "
+                     "Young's modulus of an isotropic material, or of one "
+                     "without its microcracks. Must be set. "
                      "Units: Pa.");
       declare_number(prm,
                      "Poisson's ratio",
                      defaults.poissons_ratio,
-                     "Poisson's ratio of an isotropic material. Units: 1.");
+                     "Poisson's ratio of the same. Units: 1.");
       std::string zeros = "0";
       for (unsigned int i = 1; i < 21; ++i)
         zeros += ", 0";
@@ -47,6 +94,20 @@ namespace rift
                         "Upper triangle, row by row, of the stiffness of an "
                         "anisotropic material in Voigt's order 11, 22, 33, "
                         "23, 13, 12, in the material axes. Units: Pa.");
+      prm.declare_entry("Crack groups",
+                        "",
+                        Patterns::Anything(),
+                        "Microcracks: normal in material axes and density "
+                        "(number per volume times the mean cube of the radii) "
+                        "of each group, as in \"0 1 0: 0.06, random: 0.2\". "
+                        "Units: 1.");
+      prm.declare_entry("Crack scheme",
+                        scheme_words[0].first,
+                        Patterns::Selection(scheme_selection()),
+                        "How microcracks feel each other: they are added "
+                        "little by little, all groups together or in their "
+                        "order, or each is as if alone in the intact material, "
+                        "or in the cracked one.");
       declare_vector(prm,
                      "Axis 1",
                      defaults.axis_1,
@@ -142,9 +203,15 @@ namespace rift
     prm.enter_subsection(section_of(name));
     result.density        = prm.get_double("Density");
     const std::string law = prm.get("Elasticity");
-    result.elasticity     = law == "rigid"       ? Elasticity::rigid :
-                            law == "anisotropic" ? Elasticity::anisotropic :
-                                                   Elasticity::isotropic;
+    result.elasticity     = law == "rigid"        ? Elasticity::rigid :
+                            law == "microcracked" ? Elasticity::microcracked :
+                            law == "anisotropic"  ? Elasticity::anisotropic :
+                                                    Elasticity::isotropic;
+    for (const std::string &group : split(prm.get("Crack groups"), ','))
+      result.crack_groups.push_back(read_crack_group(group, section_of(name)));
+    for (const auto &[word, scheme] : scheme_words)
+      if (word == prm.get("Crack scheme"))
+        result.crack_scheme = scheme;
     result.youngs_modulus = prm.get_double("Young's modulus");
     result.poissons_ratio = prm.get_double("Poisson's ratio");
     const auto stiffness  = get_numbers(prm, "Stiffness");
@@ -180,26 +247,39 @@ namespace rift
                          const std::string              &reason) {
       result.push_back({section, names, {{section, cause}}, reason});
     };
-    const std::vector<std::string> isotropic   = {"Young's modulus",
-                                                  "Poisson's ratio"};
-    const std::vector<std::string> anisotropic = {"Stiffness",
-                                                  "Axis 1",
-                                                  "Axis 2"};
-    const std::vector<std::string> strength    = {"Tensile strength",
-                                                  "Cohesion",
-                                                  "Friction angle",
-                                                  "Fracture energy I",
-                                                  "Fracture energy II",
-                                                  "Weibull modulus"};
-    std::string                    reason      = "on an isotropic material";
-    if (elasticity == Elasticity::anisotropic)
-      reason = "on an anisotropic material";
-    if (is_rigid())
-      reason = "on a rigid material";
-    if (elasticity != Elasticity::isotropic)
-      add(isotropic, "Elasticity", reason);
-    if (elasticity != Elasticity::anisotropic)
-      add(anisotropic, "Elasticity", reason);
+    const std::vector<std::string> strength = {"Tensile strength",
+                                               "Cohesion",
+                                               "Friction angle",
+                                               "Fracture energy I",
+                                               "Fracture energy II",
+                                               "Weibull modulus"};
+    std::string                    reason   = "on an isotropic material";
+    switch (elasticity)
+      {
+      case Elasticity::isotropic:
+        add({"Stiffness", "Axis 1", "Axis 2"}, "Elasticity", reason);
+        break;
+      case Elasticity::anisotropic:
+        reason = "on an anisotropic material";
+        add({"Young's modulus", "Poisson's ratio"}, "Elasticity", reason);
+        break;
+      case Elasticity::microcracked:
+        reason = "on a microcracked material";
+        add({"Stiffness"}, "Elasticity", reason);
+        break;
+      case Elasticity::rigid:
+        reason = "on a rigid material";
+        add({"Young's modulus",
+             "Poisson's ratio",
+             "Stiffness",
+             "Axis 1",
+             "Axis 2"},
+            "Elasticity",
+            reason);
+        break;
+      }
+    if (elasticity != Elasticity::microcracked)
+      add({"Crack groups", "Crack scheme"}, "Elasticity", reason);
     if (is_rigid())
       {
         add(strength, "Elasticity", reason);

@@ -21,6 +21,10 @@ namespace rift
   std::string
   excerpt(const std::string &text);
 
+  /** The parts between separators, simplified; none of an empty text. */
+  std::vector<std::string>
+  split(const std::string &text, char separator);
+
   /** Whether `text` ends with `ending`, as in `pulse.csv` and `.csv`. */
   bool
   ends_with(const std::string &text, const std::string &ending);

@@ -20,10 +20,6 @@ namespace rift
   constexpr std::array<std::array<unsigned int, 3>, 3> voigt = {
     {{{0, 5, 4}}, {{5, 1, 3}}, {{4, 3, 2}}}};
 
-  /** Stiffness in Voigt's notation, Pa: stress row = matrix x (strain row with
-   * shear strains doubled). */
-  using StiffnessMatrix = std::array<std::array<double, 6>, 6>;
-
   /**
    * Isotropic St. Venant-Kirchhoff elasticity, S = lambda tr(E) I + 2 mu E
    * (doc/theory.md, eq. 3).
@@ -88,6 +84,11 @@ namespace rift
   /** The elastic laws; a new one is a struct above and a name here. */
   using Elasticity =
     std::variant<IsotropicElasticity, AnisotropicElasticity, RigidElasticity>;
+
+  /** Of an isotropic material, or of a microcracked one without its cracks, in
+   * Voigt's notation, Pa. */
+  StiffnessMatrix
+  isotropic_stiffness(const MaterialParameters &parameters);
 
   /** The law that a material asks for. */
   Elasticity

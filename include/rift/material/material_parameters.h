@@ -3,6 +3,7 @@
 
 #include <rift/base/parameter_file.h>
 #include <rift/base/vector3.h>
+#include <rift/material/microcracks.h>
 
 #include <array>
 #include <string>
@@ -26,6 +27,9 @@ namespace rift
       isotropic,
       anisotropic,
 
+      /** What microcracks leave of an isotropic one. */
+      microcracked,
+
       /** Does not deform at all. */
       rigid
     };
@@ -37,7 +41,7 @@ namespace rift
 
     Elasticity elasticity = Elasticity::isotropic;
 
-    /** Isotropic: Young's modulus, Pa, and Poisson's ratio. */
+    /** Isotropic, or intact: Young's modulus, Pa, and Poisson's ratio. */
     double youngs_modulus = 0;
     double poissons_ratio = 0;
 
@@ -46,6 +50,10 @@ namespace rift
      * order 11, 22, 33, 23, 13, 12, in material axes, Pa.
      */
     std::array<double, 21> stiffness{};
+
+    /** Microcracks; normals in material axes. */
+    std::vector<CrackGroup> crack_groups;
+    CrackScheme             crack_scheme = CrackScheme::differential;
 
     /** Material axes 1 and 2 in the frame of the mesh; 3 is their product. */
     Vector3<double> axis_1 = {{1, 0, 0}};
