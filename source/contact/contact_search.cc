@@ -44,10 +44,15 @@ namespace rift
                   const SpaceDivision            &division,
                   const int                       rank)
   {
-    std::vector<Box> boxes;
+    std::vector<Box>        boxes;
+    std::vector<FacePlanes> planes;
     boxes.reserve(cells.size());
+    planes.reserve(cells.size());
     for (const ContactCell &cell : cells)
-      boxes.push_back(box_around(cell.motion.positions, skin / 2));
+      {
+        boxes.push_back(box_around(cell.motion.positions, skin / 2));
+        planes.emplace_back(cell.motion.positions);
+      }
     const std::size_t limit = largest_pairs_per_cell * cells.size();
     const auto pairs = find_touching(boxes, limit, [&](const BoxPair &pair) {
       const ContactCell &a = cells[pair.first], &b = cells[pair.second];
@@ -55,7 +60,8 @@ namespace rift
              division.rank_of(lower_corner_of_common_box(boxes[pair.first],
                                                          boxes[pair.second])) ==
                rank &&
-             separation(a.motion.positions, b.motion.positions) <= skin;
+             planes[pair.first].distance_to(b.motion.positions) <= skin &&
+             planes[pair.second].distance_to(a.motion.positions) <= skin;
     });
     if (!pairs)
       throw RunError("contact: the " + std::to_string(cells.size()) +

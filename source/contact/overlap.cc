@@ -306,31 +306,38 @@ namespace rift
           }
       return whole;
     }
-
-    /** From the face of `a` from which `b` is farthest, m. */
-    double
-    distance_from_faces(const Frame &a, const Tetrahedron &b)
-    {
-      const Corners corners = a.coordinates(b);
-      Coordinates   largest = corners[0];
-      for (const Coordinates &c : corners)
-        largest = largest > c ? largest : c;
-      double distance = -std::numeric_limits<double>::max();
-      for (unsigned int i = 0; i < 4; ++i)
-        {
-          const Vector3<double> gradient{
-            {a.gradients[0][i], a.gradients[1][i], a.gradients[2][i]}};
-          distance = std::max(distance, -largest[i] / norm(gradient));
-        }
-      return distance;
-    }
   } // namespace
 
-  double
-  separation(const Tetrahedron &a, const Tetrahedron &b)
+  FacePlanes::FacePlanes(const Tetrahedron &t)
+    : origin(t[0])
   {
-    return std::max(distance_from_faces(Frame(a), b),
-                    distance_from_faces(Frame(b), a));
+    // Barycentric coordinates over their gradients.
+    const Frame frame(t);
+    distances = frame.coordinates(origin);
+    for (unsigned int i = 0; i < 4; ++i)
+      {
+        const double scale =
+          -1 / norm(Vector3<double>{{frame.gradients[0][i],
+                                     frame.gradients[1][i],
+                                     frame.gradients[2][i]}});
+        distances[i] *= scale;
+        for (unsigned int d = 0; d < 3; ++d)
+          normals[d][i] = scale * frame.gradients[d][i];
+      }
+  }
+
+  double
+  FacePlanes::distance_to(const Tetrahedron &other) const
+  {
+    Row nearest = Row{} + std::numeric_limits<double>::max();
+    for (const Vector3<double> &x : other)
+      {
+        Row distance = distances;
+        for (unsigned int d = 0; d < 3; ++d)
+          distance += (x[d] - origin[d]) * normals[d];
+        nearest = nearest < distance ? nearest : distance;
+      }
+    return std::max({nearest[0], nearest[1], nearest[2], nearest[3]});
   }
 
   Overlap

@@ -222,14 +222,17 @@ TEST(Overlap, IsZeroWithoutCommonVolume)
     }
 }
 
-TEST(Separation, IsADistance)
+TEST(FacePlanes, KnowDistances)
 {
+  const auto separation = [](const Tetrahedron &a, const Tetrahedron &b) {
+    return std::max(FacePlanes(a).distance_to(b), FacePlanes(b).distance_to(a));
+  };
   Tetrahedron above = unit;
   for (auto &x : above)
     x[2] += 1.25;
-  // A corner of one, a face of the other.
-  EXPECT_NEAR(separation(unit, above), .25, 1e-15);
-  EXPECT_NEAR(separation(above, unit), .25, 1e-15);
+  // A corner of one, a face of the other; the oblique face and a corner.
+  EXPECT_NEAR(FacePlanes(above).distance_to(unit), .25, 1e-15);
+  EXPECT_NEAR(FacePlanes(unit).distance_to(above), .25 / std::sqrt(3), 1e-15);
   EXPECT_LE(separation(unit, unit), 0);
 
   // Never more than the distance of any two points.

@@ -117,7 +117,10 @@ namespace
             if ((is_seen(a) || is_seen(b)) && !are_bonded(a, b) &&
                 touch(box_around(a.motion.positions, skin / 2),
                       box_around(b.motion.positions, skin / 2)) &&
-                separation(a.motion.positions, b.motion.positions) <= skin)
+                FacePlanes(a.motion.positions)
+                    .distance_to(b.motion.positions) <= skin &&
+                FacePlanes(b.motion.positions)
+                    .distance_to(a.motion.positions) <= skin)
               pairs.emplace_back(a.cell, b.cell);
           }
       return pairs;

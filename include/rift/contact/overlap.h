@@ -1,6 +1,7 @@
 #ifndef rift_contact_overlap_h
 #define rift_contact_overlap_h
 
+#include <rift/base/simd.h>
 #include <rift/base/vector3.h>
 
 namespace rift
@@ -37,10 +38,24 @@ namespace rift
   Overlap
   overlap(const Tetrahedron &a, const Tetrahedron &b);
 
-  /** A distance, m, that two tetrahedra have at least: from the face of one
-   * from which the other is farthest. Not positive if no face parts them. */
-  double
-  separation(const Tetrahedron &a, const Tetrahedron &b);
+  /** A tetrahedron by the planes of its faces. */
+  class FacePlanes
+  {
+  public:
+    explicit FacePlanes(const Tetrahedron &t);
+
+    /** From the face from which another tetrahedron is farthest, m: they have
+     * at least this distance. Not positive if no face parts them. */
+    double
+    distance_to(const Tetrahedron &other) const;
+
+  private:
+    Vector3<double> origin;
+
+    /** Outward, component by component, and the distances of the origin. */
+    std::array<Row, 3> normals;
+    Row                distances;
+  };
 } // namespace rift
 
 #endif
