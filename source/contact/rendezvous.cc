@@ -3,7 +3,6 @@
 #include <rift/contact/rendezvous.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace rift
 {
@@ -68,19 +67,18 @@ namespace rift
     ContactNeighbourhood
     unite(const std::vector<ContactNeighbourhood> &parts)
     {
+      std::vector<const ContactCell *> found;
+      for (const ContactNeighbourhood &part : parts)
+        for (const ContactCell &cell : part.cells)
+          found.push_back(&cell);
+      std::sort(found.begin(), found.end(), [](const auto *a, const auto *b) {
+        return a->cell < b->cell;
+      });
       ContactNeighbourhood result;
       auto                &cells = result.cells;
-      for (const ContactNeighbourhood &part : parts)
-        cells.insert(cells.end(), part.cells.begin(), part.cells.end());
-      std::sort(cells.begin(), cells.end(), [](const auto &a, const auto &b) {
-        return a.cell < b.cell;
-      });
-      cells.erase(std::unique(cells.begin(),
-                              cells.end(),
-                              [](const auto &a, const auto &b) {
-                                return a.cell == b.cell;
-                              }),
-                  cells.end());
+      for (const ContactCell *cell : found)
+        if (cells.empty() || cells.back().cell != cell->cell)
+          cells.push_back(*cell);
 
       for (const ContactNeighbourhood &part : parts)
         {
@@ -195,24 +193,25 @@ namespace rift
           view.push_back(static_cast<int>(ranks.size()));
           view.insert(view.end(), ranks.begin(), ranks.end());
         }
-    std::vector<ContactCell>      all;
-    std::vector<std::vector<int>> all_viewers;
-    for (const auto &message : exchange_vectors(cells, communicator))
-      all.insert(all.end(), message.begin(), message.end());
+
+    const auto new_cells = exchange_vectors(cells, communicator);
+    std::vector<std::vector<int>> new_viewers;
     for (const auto &message : exchange_vectors(views, communicator))
       for (auto i = message.begin(); i != message.end(); i += 1 + *i)
-        all_viewers.emplace_back(i + 1, i + 1 + *i);
-
-    std::vector<std::uint32_t> order(all.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
-      return all[a].cell < all[b].cell;
+        new_viewers.emplace_back(i + 1, i + 1 + *i);
+    std::vector<std::pair<const ContactCell *, std::vector<int> *>> order;
+    for (const auto &message : new_cells)
+      for (const ContactCell &cell : message)
+        order.emplace_back(&cell, &new_viewers[order.size()]);
+    std::sort(order.begin(), order.end(), [](const auto &a, const auto &b) {
+      return a.first->cell < b.first->cell;
     });
     Guests guests;
-    for (const std::uint32_t i : order)
+    guests.cells.reserve(order.size());
+    for (const auto &[cell, ranks] : order)
       {
-        guests.cells.push_back(all[i]);
-        guests.viewers.push_back(std::move(all_viewers[i]));
+        guests.cells.push_back(*cell);
+        guests.viewers.push_back(std::move(*ranks));
       }
     return guests;
   }
@@ -226,14 +225,11 @@ namespace rift
       {
         const auto &of_first  = guests.viewers[pair.first],
                    &of_second = guests.viewers[pair.second];
-        std::vector<int> ranks;
-        std::set_union(of_first.begin(),
-                       of_first.end(),
-                       of_second.begin(),
-                       of_second.end(),
-                       std::back_inserter(ranks));
-        for (const int rank : ranks)
+        for (const int rank : of_first)
           concerned[rank].push_back(pair);
+        for (const int rank : of_second)
+          if (!std::binary_search(of_first.begin(), of_first.end(), rank))
+            concerned[rank].push_back(pair);
       }
     std::map<int, std::vector<ContactCell>> cells;
     std::map<int, std::vector<BoxPair>>     told;
