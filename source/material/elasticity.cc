@@ -11,28 +11,11 @@ namespace rift
       return {e * nu / ((1 + nu) * (1 - 2 * nu)), e / (2 * (1 + nu))};
     }
 
-    StiffnessMatrix
-    in_material_axes(const MaterialParameters &p)
-    {
-      // What leaves no stiffness has been refused before.
-      if (p.elasticity == MaterialParameters::Elasticity::microcracked)
-        return stiffness_with_cracks(isotropic_stiffness(p),
-                                     p.crack_groups,
-                                     p.crack_scheme)
-          .value();
-      StiffnessMatrix stiffness;
-      unsigned int    k = 0;
-      for (unsigned int i = 0; i < 6; ++i)
-        for (unsigned int j = i; j < 6; ++j, ++k)
-          stiffness[i][j] = stiffness[j][i] = p.stiffness[k];
-      return stiffness;
-    }
-
     AnisotropicElasticity
     make_anisotropic(const MaterialParameters &p)
     {
       AnisotropicElasticity law{
-        rotate_stiffness(in_material_axes(p),
+        rotate_stiffness(stiffness_in_material_axes(p),
                          material_axes(p.axis_1, p.axis_2))};
       // The law sums over the six components of a strain, so that each shear
       // component stands for two.
@@ -47,6 +30,29 @@ namespace rift
   isotropic_stiffness(const MaterialParameters &p)
   {
     return stiffness_matrix(make_isotropic(p));
+  }
+
+  StiffnessMatrix
+  stiffness_in_material_axes(const MaterialParameters &p)
+  {
+    StiffnessMatrix stiffness;
+    unsigned int    k = 0;
+    switch (p.elasticity)
+      {
+      case MaterialParameters::Elasticity::anisotropic:
+        for (unsigned int i = 0; i < 6; ++i)
+          for (unsigned int j = i; j < 6; ++j, ++k)
+            stiffness[i][j] = stiffness[j][i] = p.stiffness[k];
+        return stiffness;
+      case MaterialParameters::Elasticity::microcracked:
+        // What leaves no stiffness has been refused before.
+        return stiffness_with_cracks(isotropic_stiffness(p),
+                                     p.crack_groups,
+                                     p.crack_scheme)
+          .value();
+      default:
+        return isotropic_stiffness(p);
+      }
   }
 
   Elasticity

@@ -35,7 +35,7 @@ namespace rift
 
     /** Of a symmetric matrix; empty if it is not positive definite. */
     std::optional<Matrix6>
-    inverse(Matrix6 matrix)
+    definite_inverse(Matrix6 matrix)
     {
       // The library would end the program otherwise.
       gsl_error_handler_t  *handler = gsl_set_error_handler_off();
@@ -52,7 +52,7 @@ namespace rift
     std::optional<StiffnessMatrix>
     stiffness_of(const Compliance &compliance)
     {
-      auto result = inverse(compliance);
+      auto result = definite_inverse(compliance);
       for (unsigned int i = 0; i < 6 && result; ++i)
         for (unsigned int j = 0; j < 6; ++j)
           (*result)[i][j] /= kelvin_factor(i, j);
@@ -65,7 +65,7 @@ namespace rift
       for (unsigned int i = 0; i < 6; ++i)
         for (unsigned int j = 0; j < 6; ++j)
           stiffness[i][j] *= kelvin_factor(i, j);
-      return inverse(stiffness);
+      return definite_inverse(stiffness);
     }
 
     void
@@ -98,46 +98,6 @@ namespace rift
 
       std::vector<double> points, weights;
     };
-
-    /** u_i C_ijkl v_l */
-    Matrix3<double>
-    acoustic_matrix(const StiffnessMatrix &c,
-                    const Vector3<double> &u,
-                    const Vector3<double> &v)
-    {
-      Matrix3<double> result{};
-      for (unsigned int j = 0; j < 3; ++j)
-        for (unsigned int k = 0; k < 3; ++k)
-          for (unsigned int i = 0; i < 3; ++i)
-            for (unsigned int l = 0; l < 3; ++l)
-              result[j][k] += u[i] * c[row_of(i, j)][row_of(k, l)] * v[l];
-      return result;
-    }
-
-    Matrix3<double>
-    inverse(const Matrix3<double> &m)
-    {
-      const Vector3<double> columns[3] = {cross(m[1], m[2]),
-                                          cross(m[2], m[0]),
-                                          cross(m[0], m[1])};
-      const double          factor     = 1 / determinant(m);
-      Matrix3<double>       result;
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int j = 0; j < 3; ++j)
-          result[i][j] = factor * columns[j][i];
-      return result;
-    }
-
-    Matrix3<double>
-    product(const Matrix3<double> &a, const Matrix3<double> &b)
-    {
-      Matrix3<double> result{};
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int j = 0; j < 3; ++j)
-          for (unsigned int k = 0; k < 3; ++k)
-            result[i][j] += a[i][k] * b[k][j];
-      return result;
-    }
 
     /** Two directions across a unit vector and across each other. */
     std::array<Vector3<double>, 2>
@@ -179,9 +139,9 @@ namespace rift
     of_random(const StiffnessMatrix &stiffness)
     {
       // Half of the sphere: opposite normals are the same.
-      constexpr unsigned int n_around = 12;
-      const GaussPoints      cosines(6);
-      Compliance             mean{};
+      constexpr unsigned int   n_around = 12;
+      static const GaussPoints cosines(6);
+      Compliance               mean{};
       for (std::size_t a = 0; a < cosines.points.size(); ++a)
         for (unsigned int b = 0; b < n_around; ++b)
           {
@@ -274,31 +234,51 @@ namespace rift
   } // namespace
 
   Matrix3<double>
+  acoustic_matrix(const StiffnessMatrix &c,
+                  const Vector3<double> &u,
+                  const Vector3<double> &v)
+  {
+    Matrix3<double> result{};
+    for (unsigned int j = 0; j < 3; ++j)
+      for (unsigned int k = 0; k < 3; ++k)
+        for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int l = 0; l < 3; ++l)
+            result[j][k] += u[i] * c[row_of(i, j)][row_of(k, l)] * v[l];
+    return result;
+  }
+
+  Matrix3<double>
   crack_resistance(const StiffnessMatrix &stiffness,
                    const Vector3<double> &normal)
   {
-    constexpr unsigned int n_around = 24;
-    const GaussPoints      angles(16);
-    const auto             t  = tangents(normal);
-    const auto             nn = acoustic_matrix(stiffness, normal, normal);
-    Matrix3<double>        sum{};
-    // Half of the sphere: opposite directions give the same.
-    for (std::size_t a = 0; a < angles.points.size(); ++a)
+    constexpr unsigned int   n_around = 24;
+    static const GaussPoints angles(16);
+    const auto               t  = tangents(normal);
+    const auto               nn = acoustic_matrix(stiffness, normal, normal);
+    Matrix3<double>          sum{};
+    // Half of the sphere: opposite directions give the same. With z = c n + s e
+    // all that C has to say is in three matrices.
+    for (unsigned int b = 0; b < n_around; ++b)
       {
-        const double theta = M_PI / 2 * angles.points[a];
-        const double sine = std::sin(theta), cosine = std::cos(theta);
-        const double weight =
-          M_PI / 2 * angles.weights[a] / (n_around * sine * sine);
-        for (unsigned int b = 0; b < n_around; ++b)
+        const double          phi = 2 * M_PI * (b + .5) / n_around;
+        const Vector3<double> e   = std::cos(phi) * t[0] + std::sin(phi) * t[1];
+        const auto            ne  = acoustic_matrix(stiffness, normal, e);
+        const auto            ee  = acoustic_matrix(stiffness, e, e);
+        for (std::size_t a = 0; a < angles.points.size(); ++a)
           {
-            const double          phi = 2 * M_PI * (b + .5) / n_around;
-            const Vector3<double> z   = cosine * normal +
-                                      (sine * std::cos(phi)) * t[0] +
-                                      (sine * std::sin(phi)) * t[1];
-            const auto nz = acoustic_matrix(stiffness, normal, z);
-            const auto zn = acoustic_matrix(stiffness, z, normal);
-            const auto zz = inverse(acoustic_matrix(stiffness, z, z));
-            const auto p  = product(nz, product(zz, zn));
+            const double theta = M_PI / 2 * angles.points[a];
+            const double s = std::sin(theta), c = std::cos(theta);
+            const double weight =
+              M_PI / 2 * angles.weights[a] / (n_around * s * s);
+            Matrix3<double> nz, zn, zz;
+            for (unsigned int i = 0; i < 3; ++i)
+              for (unsigned int j = 0; j < 3; ++j)
+                {
+                  nz[i][j] = zn[j][i] = c * nn[i][j] + s * ne[i][j];
+                  zz[i][j] = c * c * nn[i][j] + c * s * (ne[i][j] + ne[j][i]) +
+                             s * s * ee[i][j];
+                }
+            const auto p = nz * (inverse(zz) * zn);
             for (unsigned int i = 0; i < 3; ++i)
               for (unsigned int j = 0; j < 3; ++j)
                 sum[i][j] += weight * (nn[i][j] - p[i][j]);

@@ -23,19 +23,6 @@ namespace rift
       return {{sums[0].value(), sums[1].value(), sums[2].value()}};
     }
 
-    Matrix3<double>
-    inverse(const Matrix3<double> &m)
-    {
-      const Vector3<double> columns[3] = {cross(m[1], m[2]),
-                                          cross(m[2], m[0]),
-                                          cross(m[0], m[1])};
-      const double          factor     = 1 / determinant(m);
-      Matrix3<double>       result;
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int j = 0; j < dim; ++j)
-          result[i][j] = factor * columns[j][i];
-      return result;
-    }
   } // namespace
 
   RigidBodies::RigidBodies(const Topology                        &topology,

@@ -7,22 +7,14 @@ namespace rift
 {
   namespace
   {
-    /** Inverse of F = I + H by cofactors. */
+    /** Inverse of F = I + H. */
     Matrix3<Simd>
     inverse_deformation_gradient(const Matrix3<Simd> &h)
     {
       Matrix3<Simd> f = h;
       for (unsigned int d = 0; d < dim; ++d)
         f[d][d] += 1.;
-      const Vector3<Simd> columns[3] = {cross(f[1], f[2]),
-                                        cross(f[2], f[0]),
-                                        cross(f[0], f[1])};
-      const Simd          factor     = 1. / dot(f[0], columns[0]);
-      Matrix3<Simd>       inverse;
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int j = 0; j < dim; ++j)
-          inverse[i][j] = factor * columns[j][i];
-      return inverse;
+      return inverse(f);
     }
   } // namespace
 

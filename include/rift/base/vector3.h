@@ -92,6 +92,34 @@ namespace rift
   {
     return dot(m[0], cross(m[1], m[2]));
   }
+
+  template <typename Number>
+  inline Matrix3<Number>
+  operator*(const Matrix3<Number> &a, const Matrix3<Number> &b)
+  {
+    Matrix3<Number> result{};
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        for (unsigned int k = 0; k < 3; ++k)
+          result[i][j] += a[i][k] * b[k][j];
+    return result;
+  }
+
+  /** By cofactors. */
+  template <typename Number>
+  inline Matrix3<Number>
+  inverse(const Matrix3<Number> &m)
+  {
+    const Vector3<Number> columns[3] = {cross(m[1], m[2]),
+                                        cross(m[2], m[0]),
+                                        cross(m[0], m[1])};
+    const Number          factor     = 1. / dot(m[0], columns[0]);
+    Matrix3<Number>       result;
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        result[i][j] = factor * columns[j][i];
+    return result;
+  }
 } // namespace rift
 
 #endif

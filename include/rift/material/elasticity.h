@@ -90,6 +90,10 @@ namespace rift
   StiffnessMatrix
   isotropic_stiffness(const MaterialParameters &parameters);
 
+  /** Stiffness of an elastic material in its axes, in Voigt's notation, Pa. */
+  StiffnessMatrix
+  stiffness_in_material_axes(const MaterialParameters &parameters);
+
   /** The law that a material asks for. */
   Elasticity
   make_elasticity(const MaterialParameters &parameters);

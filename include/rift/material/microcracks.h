@@ -12,6 +12,12 @@ namespace rift
    * shear strains doubled). */
   using StiffnessMatrix = std::array<std::array<double, 6>, 6>;
 
+  /** u_i C_ijkl v_l, Pa. */
+  Matrix3<double>
+  acoustic_matrix(const StiffnessMatrix &stiffness,
+                  const Vector3<double> &u,
+                  const Vector3<double> &v);
+
   /** Open microcracks, each a flat circle (penny). */
   struct CrackGroup
   {
