@@ -251,8 +251,8 @@ namespace rift
   crack_resistance(const StiffnessMatrix &stiffness,
                    const Vector3<double> &normal)
   {
-    constexpr unsigned int   n_around = 24;
-    static const GaussPoints angles(16);
+    constexpr unsigned int   n_around = 16;
+    static const GaussPoints angles(12);
     const auto               t  = tangents(normal);
     const auto               nn = acoustic_matrix(stiffness, normal, normal);
     Matrix3<double>          sum{};
