@@ -6,6 +6,9 @@
 
 #include <benchmark/benchmark.h>
 
+#include <fstream>
+#include <string>
+
 #include "granite.h"
 
 namespace rift::test
@@ -73,6 +76,20 @@ namespace rift::test
       }
     };
 
+    /** Memory that this process has now, or has had at most: "VmRSS:",
+     * "VmHWM:". */
+    double
+    memory(const std::string &name)
+    {
+      std::ifstream status("/proc/self/status");
+      std::string   word;
+      while (status >> word && word != name)
+        ;
+      double kilobytes = 0;
+      status >> kilobytes;
+      return 1024 * kilobytes;
+    }
+
     void
     report(benchmark::State &bench, const LooseCells &cells)
     {
@@ -89,8 +106,11 @@ namespace rift::test
     {
       LooseCells cells(bench.range(0));
       cells.grow(-1e-3);
+      const double before = memory("VmRSS:");
       // New pairs cost more: the volumes with which they start.
       cells.contact.follow(cells.body.state);
+      const double n                   = cells.body.topology.n_cells();
+      bench.counters["bytes_per_cell"] = (memory("VmRSS:") - before) / n;
       for (auto _ : bench)
         {
           // Far enough for a search each time.
@@ -98,6 +118,8 @@ namespace rift::test
             u[0] += granite_edge;
           cells.contact.follow(cells.body.state);
         }
+      bench.counters["bytes_per_cell_at_most"] =
+        (memory("VmHWM:") - before) / n;
       report(bench, cells);
     }
 
