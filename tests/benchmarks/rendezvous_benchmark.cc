@@ -94,7 +94,7 @@ namespace rift::test
       double       divide = 1e9, search = 1e9;
       std::size_t  n_pairs = 0;
       rendezvous.search(own);
-      for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int i = 0; i < 10; ++i)
         {
           divide = std::min(divide, time_of(communicator, [&] {
                               divide_space(points, communicator);
