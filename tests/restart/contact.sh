@@ -1,6 +1,6 @@
 # Goes on in the midst of contact, on other ranks: a block that slides over a
 # table, a bar whose pieces fly apart and meet, a rigid block that turns, a heap
-# of fragments.
+# of fragments, a plate that is shattered.
 #
 #   bash contact.sh RIFT RANKS
 . "$(dirname "$0")/common.sh"
@@ -39,3 +39,8 @@ goes_on pile 1000 "$contact/pile.prm" \
   --set "Material upper/Initial velocity=0, 0.2, -3" \
   --set "Time/End time=0.03" --set "Output/Solution interval=0.03"
 ! grep -q '"contact_pairs": 0,' pile/summary.json || fail "nothing touches"
+
+goes_on plate 120 "$contact/plate.prm" \
+  --set "Mesh/Element size=8e-3" --set "Mesh/Parameters=width = 0.06" \
+  --set "Time/End time=6e-5" --set "Output/Solution interval=3e-5"
+! grep -q '"contact_pairs": 0,' plate/summary.json || fail "nothing touches"
