@@ -3,6 +3,7 @@
 #include <rift/base/number_text.h>
 #include <rift/base/parameter_text.h>
 #include <rift/contact/contact_penalty.h>
+#include <rift/material/wave_speeds.h>
 #include <rift/mesh/partition.h>
 #include <rift/solid/cell_frequency.h>
 #include <rift/time_integration/central_difference.h>
@@ -134,6 +135,14 @@ namespace rift
         const Surface &surface = body.surfaces.at(boundary.name);
         if (SurfaceLoad::is_needed(boundary))
           surface_loads.emplace_back(topology, surface, boundary);
+        if (boundary.absorbs)
+          absorbing_boundaries.emplace_back(
+            topology,
+            reference,
+            surface,
+            [this](const std::uint16_t material, const Vector3<double> &n) {
+              return impedance(stiffnesses[material], densities[material], n);
+            });
         if (PrescribedMotion::is_needed(boundary))
           moved.push_back({surface, boundary});
       }
@@ -412,13 +421,15 @@ namespace rift
         timer.stop("cohesive forces");
       }
 
-    // 6. Prescribed motion and rigid bodies
+    // 6. Absorbing boundaries, prescribed motion, rigid bodies
     if (state.step == 0)
       {
         start_velocities(state, dt);
         if (rigid_bodies)
           rigid_bodies->start(state, dt);
       }
+    for (AbsorbingBoundary &boundary : absorbing_boundaries)
+      boundary.add_to(state, dt);
     if (prescribed_motion)
       prescribed_motion->impose(state, activity, dt);
     if (rigid_bodies)
@@ -495,6 +506,8 @@ namespace rift
   {
     for (SurfaceLoad &load : surface_loads)
       load.update_nodes();
+    for (AbsorbingBoundary &boundary : absorbing_boundaries)
+      boundary.update_nodes();
     if (prescribed_motion)
       prescribed_motion->update_nodes();
   }

@@ -147,6 +147,8 @@ namespace rift
     const auto add = [&sums](ExactSum &sum) { sums.push_back(&sum); };
     for (SurfaceLoad &load : surface_loads)
       load.work().for_each_sum(add);
+    for (AbsorbingBoundary &boundary : absorbing_boundaries)
+      boundary.work().for_each_sum(add);
     if (prescribed_motion)
       prescribed_motion->work().for_each_sum(add);
     if (rigid_bodies)

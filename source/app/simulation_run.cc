@@ -126,6 +126,8 @@ namespace rift
   {
     for (SurfaceLoad &load : surface_loads)
       load.count_work(state(), dt);
+    for (AbsorbingBoundary &boundary : absorbing_boundaries)
+      boundary.count_work(state(), dt);
     if (damping)
       damping->count_work(state(), dt);
   }
@@ -145,6 +147,8 @@ namespace rift
       }
     if (damping)
       sums.damping = damping->work().sum();
+    for (AbsorbingBoundary &boundary : absorbing_boundaries)
+      sums.damping.add(boundary.work().sum());
     if (contact)
       {
         sums.contact = contact->energy().elastic;

@@ -40,6 +40,12 @@ namespace rift
                         function,
                         "Function of time: prescribed velocity along " + axis +
                           "; 0 holds the surface. Units: m/s.");
+    prm.declare_entry("Absorbing",
+                      "false",
+                      dealii::Patterns::Bool(),
+                      "Whether waves that arrive here leave, as if the body "
+                      "went on behind the surface. All of a wave across the "
+                      "surface goes, of one at a slant the most.");
     prm.leave_subsection();
   }
 
@@ -60,6 +66,7 @@ namespace rift
         result.velocity[d] =
           get_function(prm, section, "Velocity " + axes[d], scene);
       }
+    result.absorbs = prm.get_bool("Absorbing");
     prm.leave_subsection();
     return result;
   }
@@ -68,12 +75,18 @@ namespace rift
   BoundaryParameters::check() const
   {
     const std::string section = section_of(name);
-    bool              is_free = pressure.empty();
+    bool              is_free = pressure.empty() && !absorbs;
     check_function(section, "Pressure", pressure);
     for (unsigned int d = 0; d < 3; ++d)
       {
         check_function(section, "Traction " + axes[d], traction[d]);
         check_function(section, "Velocity " + axes[d], velocity[d]);
+        if (absorbs && !velocity[d].empty())
+          throw ParameterError(section,
+                               "Absorbing",
+                               "Velocity " + axes[d] +
+                                 " is set too, but what is prescribed cannot "
+                                 "give way to waves. Remove one of the two.");
         is_free = is_free && traction[d].empty() && velocity[d].empty();
         if (!traction[d].empty() && !velocity[d].empty())
           throw ParameterError(section,

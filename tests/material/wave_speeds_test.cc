@@ -43,6 +43,19 @@ TEST(WaveSpeeds, OrthotropicBetweenTheAxes)
   EXPECT_NEAR(speeds[2] / std::sqrt((mean - spread) / 2600), 1, 1e-12);
 }
 
+TEST(WaveSpeeds, ImpedanceIsDensityTimesSpeed)
+{
+  const double          density = 2600;
+  const Vector3<double> n       = {{2 / 3., -1 / 3., 2 / 3.}};
+  const auto            z       = impedance(granite(), density, n);
+  const double p = std::sqrt(96e9 * density), s = std::sqrt(32e9 * density);
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int j = 0; j < 3; ++j)
+      EXPECT_NEAR(z[i][j] / p,
+                  (s * (i == j) + (p - s) * n[i] * n[j]) / p,
+                  1e-12);
+}
+
 TEST(CrackFit, FindsTheDensitiesAgain)
 {
   const std::vector<CrackGroup> groups = {{Vector3<double>{{0, 1, 1}}, .05},

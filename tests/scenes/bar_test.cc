@@ -57,6 +57,37 @@ TEST(ConfinedBar, SpeedOfPWavesAndOrderOfTheError)
   EXPECT_LE(previous, 2e-3);
 }
 
+TEST(ConfinedBar, AbsorbingEndTakesTheWave)
+{
+  // The rest after the pulse has gone. The end where it came from is held.
+  const auto left = [](const MaterialParameters &material,
+                       const unsigned int        direction,
+                       const double              speed) {
+    PlaneWave wave{material};
+    wave.direction      = direction;
+    wave.element_size   = 1.5e-3;
+    Parameters scene    = wave.scene();
+    scene.time.end_time = PlaneWave::duration + 1.5 * PlaneWave::length / speed;
+    BoundaryParameters end;
+    end.name    = "x_max";
+    end.absorbs = true;
+    scene.boundaries.push_back(end);
+    Log            log(nullptr);
+    Simulation     simulation(scene, log);
+    FlushDenormals flush_denormals;
+    while (simulation.state().step < simulation.n_steps())
+      simulation.step();
+    const Energies &energies = simulation.energy_ledger().energies();
+    EXPECT_LT(simulation.energy_ledger().largest_relative_residual(), 1e-6);
+    EXPECT_GT(energies.damping, .99 * energies.loads);
+    return (energies.kinetic + energies.strain) / energies.loads;
+  };
+  EXPECT_LT(left(rock(), 0, std::sqrt(1.2 * 60e9 / 2650)), 2e-3);
+  EXPECT_LT(left(rock(), 1, std::sqrt(.4 * 60e9 / 2650)), 2e-3);
+  EXPECT_LT(left(barre_granite(), 0, std::sqrt(54.7e9 / 2660)), 2e-3);
+  EXPECT_LT(left(barre_granite(), 1, std::sqrt(19.2e9 / 2660)), 2e-3);
+}
+
 TEST(OrthotropicBlock, SpeedsAlongMaterialAxes)
 {
   // Rows: the material axes 1 and 2 so that 1, 2, 3 lies along the bar. Speeds

@@ -11,6 +11,7 @@
 #include <rift/cohesive/insertion.h>
 #include <rift/contact/contact_force.h>
 #include <rift/io/checkpoint_writer.h>
+#include <rift/loading/absorbing_boundary.h>
 #include <rift/loading/body_force.h>
 #include <rift/loading/prescribed_motion.h>
 #include <rift/loading/surface_load.h>
@@ -248,6 +249,7 @@ namespace rift
     std::optional<ContactForce>     contact;
     std::optional<Damping>          damping;
     std::vector<SurfaceLoad>        surface_loads;
+    std::vector<AbsorbingBoundary>  absorbing_boundaries;
     std::optional<BodyForce>        body_force;
     std::optional<PrescribedMotion> prescribed_motion;
     std::optional<RigidBodies>      rigid_bodies;

@@ -32,6 +32,9 @@ namespace rift
     /** Prescribed components of the velocity, m/s. */
     std::array<std::string, 3> velocity;
 
+    /** Whether waves leave the body here. */
+    bool absorbs = false;
+
     /** Declares the entries of subsection `Boundary NAME`. */
     static void
     declare(dealii::ParameterHandler &prm, const std::string &name);
@@ -44,7 +47,8 @@ namespace rift
 
     /**
      * Throws ParameterError for a boundary without any condition, a component
-     * with both traction and velocity, and a table that does not exist.
+     * with both traction and velocity, a velocity on an absorbing boundary, and
+     * a table that does not exist.
      */
     void
     check() const;

@@ -16,6 +16,17 @@ namespace rift
   wave_speeds(const StiffnessMatrix &stiffness,
               double                 density,
               const Vector3<double> &direction);
+
+  /**
+   * Impedance for plane waves along a normal, Pa s/m: what times the velocity
+   * of the material in a wave that runs along the normal is the traction
+   * against it. The root of density times Christoffel's matrix; in an isotropic
+   * material rho c_P along the normal and rho c_S across it.
+   */
+  Matrix3<double>
+  impedance(const StiffnessMatrix &stiffness,
+            double                 density,
+            const Vector3<double> &normal);
 } // namespace rift
 
 #endif
