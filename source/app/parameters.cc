@@ -173,9 +173,10 @@ namespace rift
     absolute_value(const ParameterDeclaration &entry,
                    const ParameterFile        &scene)
     {
-      const bool is_mesh  = entry.section == "Mesh" && entry.name == "File";
-      const bool is_table = entry.section.compare(0, 9, "Boundary ") == 0 &&
-                            ends_with(entry.value, ".csv");
+      const bool is_mesh    = entry.section == "Mesh" && entry.name == "File";
+      const bool has_tables = entry.section.compare(0, 9, "Boundary ") == 0 ||
+                              entry.section.compare(0, 9, "Material ") == 0;
+      const bool is_table = has_tables && ends_with(entry.value, ".csv");
       return is_mesh || is_table ?
                std::filesystem::absolute(
                  scene.resolve(entry.section, entry.name, entry.value))

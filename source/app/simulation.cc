@@ -93,7 +93,7 @@ namespace rift
       restore(*restart);
     else if (contact)
       {
-        contact->follow(state());
+        contact->follow(state(), dt);
         contact->refuse_overlaps(body.materials);
       }
     step_of_last_agreement = this->state().step;
@@ -206,6 +206,7 @@ namespace rift
                          share(pieces, body.communicator),
                          body.materials,
                          body.communicator);
+    log.write("Rigid bodies: " + std::to_string(rigid_bodies->n_bodies()));
   }
 
   std::vector<ContactCellConstants>
@@ -329,7 +330,7 @@ namespace rift
       dt = restart->time_step;
     // A little tolerance, so that rounding does not add a step.
     const double n_steps = std::ceil(time.end_time / dt * (1 - 1e-12));
-    if (!(dt > 0 && n_steps <= largest_number_of_steps))
+    if (!(dt > 0 && n_steps > 0 && n_steps <= largest_number_of_steps))
       throw InputError("to come to the end time of " + to_text(time.end_time) +
                        " s in steps of " + to_text(dt) + " s takes " +
                        to_text(n_steps) + " steps; rift counts to " +
@@ -453,7 +454,7 @@ namespace rift
     if (contact)
       {
         // Mostly waiting, which is not work that ranks have unequal parts of.
-        contact->follow(state);
+        contact->follow(state, dt);
         timer.stop("contact search");
       }
 

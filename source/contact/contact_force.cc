@@ -1,4 +1,6 @@
 #include <rift/base/bytes.h>
+#include <rift/base/exceptions.h>
+#include <rift/base/parameter_text.h>
 #include <rift/contact/contact_force.h>
 
 #include <algorithm>
@@ -48,7 +50,7 @@ namespace rift
     , interface(std::move(interface))
     , surface(topology)
     , skin(skin_of(surface, topology, state, communicator))
-    , rendezvous(communicator, skin, [this](const ContactCell &cell) {
+    , rendezvous(communicator, [this](const ContactCell &cell) {
       return surface.viewers(this->topology.find_cell(cell.cell));
     })
   {
@@ -70,31 +72,32 @@ namespace rift
   }
 
   void
-  ContactForce::follow(const State &state)
+  ContactForce::follow(const State &state, const double time_step)
   {
-    if (is_due(state))
-      search(state);
+    if (is_due(state, time_step))
+      search(state, time_step);
     else
       exchange_motions(state);
   }
 
   bool
-  ContactForce::is_due(const State &state)
+  ContactForce::is_due(const State &state, const double time_step) const
   {
+    // In the next step, so that no pair is found too late.
     double largest = 0;
     for (std::size_t i = 0; i < searched_cells.size(); ++i)
       for (unsigned int c = 0; c < n_corners; ++c)
         {
+          const NodeIndex       node = topology.node(searched_cells[i], c);
           const Vector3<double> shift =
-            state.position(topology.node(searched_cells[i], c)) -
-            searched_positions[i][c];
+            state.position(node) - searched_positions[i][c] +
+            time_step * state.velocity[node].vector();
           largest = std::max(largest, dot(shift, shift));
         }
     const bool has_cracked = state.step % crack_interval == 0 &&
                              interface.n_crack_events() != n_known_events;
-    // Not less, so that what is not a number does not go on for ever.
-    const bool is_near = largest < skin * skin / 4;
-    return communicator.any(!has_searched || has_cracked || !is_near);
+    return communicator.any(!has_searched || has_cracked ||
+                            largest >= skin * skin / 4);
   }
 
   std::vector<ContactCell>
@@ -114,7 +117,7 @@ namespace rift
   }
 
   void
-  ContactForce::search(const State &state)
+  ContactForce::search(const State &state, const double time_step)
   {
     interface.for_each_open_face(
       [this](const FaceIndex face) { surface.include(face); });
@@ -122,9 +125,27 @@ namespace rift
     n_known_events = interface.n_crack_events();
     searched_cells = surface.cells();
     searched_positions.clear();
+    double largest_speed = 0;
     for (const CellIndex cell : searched_cells)
-      searched_positions.push_back(motion_of(topology, state, cell).positions);
-    take(rendezvous.search(own_cells(state, searched_cells)));
+      {
+        const CellMotion motion = motion_of(topology, state, cell);
+        searched_positions.push_back(motion.positions);
+        for (const Vector3<double> &v : motion.velocities)
+          largest_speed = std::max(largest_speed, norm(v));
+      }
+    largest_speed     = communicator.max(largest_speed);
+    const double move = time_step * largest_speed;
+    if (move > .5 / skin_per_size * skin)
+      throw RunError("contact: at step " + std::to_string(state.step) +
+                     " something moves with " + short_text(largest_speed) +
+                     " m/s, by " + short_text(move) +
+                     " m or more than half of a cell in a step. It would pass "
+                     "through what it meets. Choose a smaller time step "
+                     "(subsection Time).");
+    // What moves by half of the skin in a step is searched for in each, farther
+    // off.
+    const double reach = skin + 2 * move;
+    take(rendezvous.search(own_cells(state, searched_cells), reach));
   }
 
   void

@@ -104,7 +104,8 @@ namespace rift
     const double slope = constants.penalty * ratio * (2 - ratio);
     result.energy      = constants.penalty * ratio * (common.potential - free);
     result.is_deep =
-      free == 0 && common.potential > largest_mean_potential * common.volume;
+      free == 0 && (common.potential > largest_mean_potential * common.volume ||
+                    common.share > largest_share);
     Vector3<double> force{};
     for (unsigned int c = 0; c < 4; ++c)
       {

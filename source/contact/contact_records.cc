@@ -113,7 +113,12 @@ namespace rift
   {
     has_searched   = true;
     n_known_events = interface.n_crack_events() - (has_changed ? 1 : 0);
-    for (const ContactCellRecord &record : cell_records)
+    // Ranks may have had any cells.
+    std::vector<ContactCellRecord> sorted_cells = cell_records;
+    std::sort(sorted_cells.begin(),
+              sorted_cells.end(),
+              [](const auto &x, const auto &y) { return x.cell < y.cell; });
+    for (const ContactCellRecord &record : sorted_cells)
       {
         const CellIndex cell = topology.find_cell(record.cell);
         if (cell == invalid_index || !topology.owns_cell(cell))

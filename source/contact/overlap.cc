@@ -8,6 +8,10 @@ namespace rift
 {
   namespace
   {
+    /** Overlaps of this share of the smaller tetrahedron, at a corner a depth
+     * of 1e-10 of its height, are nothing but rounding. */
+    constexpr double negligible_share = 1e-30;
+
     /** Barycentric coordinates in one tetrahedron. */
     using Coordinates = Row;
     using Mask        = std::int64_t __attribute__((vector_size(32)));
@@ -353,13 +357,14 @@ namespace rift
     if (is_outside(corners_b))
       return result;
 
-    const Part part = add_potential(frame_a,
+    const Part   part    = add_potential(frame_a,
                                     frame_b,
                                     corners_a,
                                     result.potential,
                                     result.gradient_a,
                                     result.gradient_b);
-    if (part.volume == 0)
+    const double smaller = std::min(frame_a.volume, frame_b.volume);
+    if (!(part.volume > negligible_share * smaller))
       return Overlap();
     add_potential(frame_b,
                   frame_a,
@@ -368,6 +373,7 @@ namespace rift
                   result.gradient_b,
                   result.gradient_a);
     result.volume = part.volume;
+    result.share  = part.volume / smaller;
     for (unsigned int c = 0; c < 4; ++c)
       {
         result.weights_a[c] = part.moment.in_a[c] / part.volume;

@@ -94,11 +94,8 @@ namespace rift
     }
   } // namespace
 
-  Rendezvous::Rendezvous(const Communicator &communicator,
-                         const double        skin,
-                         Viewers             viewers)
+  Rendezvous::Rendezvous(const Communicator &communicator, Viewers viewers)
     : communicator(communicator)
-    , skin(skin)
     , viewers(std::move(viewers))
   {
   }
@@ -116,7 +113,7 @@ namespace rift
   }
 
   ContactNeighbourhood
-  Rendezvous::search(std::vector<ContactCell> own)
+  Rendezvous::search(std::vector<ContactCell> own, const double skin)
   {
     if (communicator.size() == 1)
       {
@@ -128,7 +125,7 @@ namespace rift
       !(largest_number < largest_growth * largest_number_at_first);
     if (is_new)
       divide(own);
-    const Guests guests = invite(own, [this](const ContactCell &cell) {
+    const Guests guests = invite(own, [&](const ContactCell &cell) {
       return division.ranks_of(box_around(cell.motion.positions, skin / 2));
     });
     largest_number      = communicator.max(guests.cells.size());

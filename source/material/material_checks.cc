@@ -21,6 +21,15 @@ namespace rift
     /** Of anything that breaks, J/m^2; glass has 4 to 10. */
     constexpr double smallest_fracture_energy = 1;
 
+    /** P-waves in solids, m/s. */
+    constexpr double slowest_wave = 100, fastest_wave = 15000;
+
+    constexpr std::size_t largest_number_of_crack_groups = 100;
+    constexpr double      largest_crack_density          = 10;
+
+    /** Faster are typing errors, m/s. */
+    constexpr double largest_velocity = 2e4;
+
     using Matrix6 = std::array<std::array<double, 6>, 6>;
 
     // The stiffness in Kelvin's form, in which stress and strain are vectors
@@ -103,7 +112,7 @@ namespace rift
                      const Refuse             &refuse)
     {
       const double speed = std::sqrt(modulus / material.density);
-      if (speed >= 100 && speed <= 15000)
+      if (speed >= slowest_wave && speed <= fastest_wave)
         return;
       std::string problem = "this gives P-waves of " + short_text(speed) +
                             " m/s; solids have 100 to 15000 m/s.";
@@ -176,19 +185,38 @@ namespace rift
       const char *const name = "Crack groups";
       if (material.crack_groups.empty())
         refuse(name, "a microcracked material needs a group of cracks.");
+      if (material.crack_groups.size() > largest_number_of_crack_groups)
+        refuse(name,
+               "these are more than " +
+                 std::to_string(largest_number_of_crack_groups) + " groups.");
       for (const CrackGroup &group : material.crack_groups)
         {
-          if (!(group.density >= 0))
-            refuse(name, "a density cannot be negative.");
-          if (group.normal && !(norm(*group.normal) > 0))
-            refuse(name, "a normal cannot be zero.");
+          if (!(group.density >= 0 && group.density <= largest_crack_density))
+            refuse(name,
+                   "a density is between 0 and " +
+                     short_text(largest_crack_density) +
+                     "; rocks have less than 1.");
+          if (!group.normal)
+            continue;
+          const double length = norm(*group.normal);
+          if (!(length > 1e-100 && length < 1e100))
+            refuse(name, "a normal cannot be zero, nor have no end.");
         }
-      if (!stiffness_with_cracks(isotropic_stiffness(material),
-                                 material.crack_groups,
-                                 material.crack_scheme))
+      const auto stiffness =
+        stiffness_with_cracks(isotropic_stiffness(material),
+                              material.crack_groups,
+                              material.crack_scheme);
+      if (!stiffness)
         refuse(name,
                "so many cracks leave no stiffness. Give smaller densities, or "
                "another Crack scheme.");
+      for (unsigned int i = 0; i < 3; ++i)
+        if (const double speed =
+              std::sqrt((*stiffness)[i][i] / material.density);
+            speed < slowest_wave)
+          refuse(name,
+                 "so many cracks leave P-waves of " + short_text(speed) +
+                   " m/s; solids have 100 to 15000 m/s.");
       check_axes(material, refuse);
     }
 
@@ -260,10 +288,19 @@ namespace rift
   {
     const Refuse refuse{"Material " + name};
     check_density(*this, refuse);
+    if (!(norm(initial_velocity) <= largest_velocity))
+      refuse("Initial velocity",
+             "this is more than " + short_text(largest_velocity) +
+               " m/s. rift uses m/s.");
     for (unsigned int d = 0; d < 3; ++d)
       check_function(refuse.section,
                      std::string("Velocity ") + "xyz"[d],
                      velocity[d]);
+    for (unsigned int d = 0; d < 3; ++d)
+      if (!velocity[d].empty() && initial_velocity[d] != 0)
+        refuse("Initial velocity",
+               std::string("Velocity ") + "xyz"[d] +
+                 " is prescribed from the start on. Set this component to 0.");
     if (is_rigid())
       return;
     if (elasticity == Elasticity::anisotropic)

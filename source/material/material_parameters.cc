@@ -284,11 +284,6 @@ namespace rift
       {
         add(strength, "Elasticity", reason);
         add({"Viscosity", "Breakable"}, "Elasticity", reason);
-        if (!velocity[0].empty() && !velocity[1].empty() &&
-            !velocity[2].empty())
-          add({"Initial velocity"},
-              "Velocity x",
-              "where all velocities are prescribed");
       }
     else
       add({"Velocity x", "Velocity y", "Velocity z"},

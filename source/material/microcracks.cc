@@ -4,6 +4,8 @@
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_linalg.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace rift
@@ -38,13 +40,18 @@ namespace rift
     definite_inverse(Matrix6 matrix)
     {
       // The library would end the program otherwise.
-      gsl_error_handler_t  *handler = gsl_set_error_handler_off();
-      const gsl_matrix_view view   = gsl_matrix_view_array(&matrix[0][0], 6, 6);
-      gsl_matrix           *of_gsl = const_cast<gsl_matrix *>(&view.matrix);
+      gsl_error_handler_t *handler = gsl_set_error_handler_off();
+      gsl_matrix_view      view    = gsl_matrix_view_array(&matrix[0][0], 6, 6);
+      gsl_matrix          *of_gsl  = &view.matrix;
       const bool is_good = gsl_linalg_cholesky_decomp1(of_gsl) == GSL_SUCCESS &&
                            gsl_linalg_cholesky_invert(of_gsl) == GSL_SUCCESS;
       gsl_set_error_handler(handler);
-      if (!is_good)
+      // It also passes what is not a number.
+      double sum = 0;
+      for (const auto &row : matrix)
+        for (const double entry : row)
+          sum += entry;
+      if (!is_good || !std::isfinite(sum))
         return {};
       return matrix;
     }
@@ -175,8 +182,14 @@ namespace rift
     bool
     integrate(const std::vector<CrackGroup> &groups, Compliance &compliance)
     {
-      constexpr unsigned int n_steps = 8;
-      const auto             rate    = [&](const Compliance &s) {
+      // An error of some 1e-6 at all densities.
+      constexpr double n_steps_per_density = 40, least_number_of_steps = 8;
+      double           density = 0;
+      for (const CrackGroup &group : groups)
+        density += group.density;
+      const auto n_steps = static_cast<unsigned int>(std::ceil(
+        std::max(n_steps_per_density * density, least_number_of_steps)));
+      const auto rate    = [&](const Compliance &s) {
         const auto stiffness = stiffness_of(s);
         return stiffness ? of_groups(*stiffness, groups) : Compliance{};
       };

@@ -203,7 +203,9 @@ namespace rift
               throw InputError(fmt::format(
                 "{}: two vertices are at the same position {}, one of cell {} "
                 "and one of cell {}: the body would be torn there. Merge them "
-                "in gmsh (Coherence Mesh, or BooleanFragments before meshing).",
+                "in gmsh (Coherence Mesh, or BooleanFragments before meshing), "
+                "or leave a gap, such as 1e-6 m, between bodies that touch by "
+                "contact alone.",
                 mesh.source,
                 print(mesh.vertices[a]),
                 mesh.cell_tags[cell_of_vertex(mesh, a)],

@@ -284,13 +284,16 @@ namespace rift
       {
         Body &body  = bodies[i];
         body.motion = kicked(body, loads[i], driven[body.material], time_step);
-        if (!drift(body.motion, body.mass, time_step))
-          throw RunError(
-            "step " + std::to_string(state.step) + ": a rigid body of " +
-            material_names[body.material] +
-            " turns by more than 60 degrees in a step, or the force on it is "
-            "not a number. Look at the last results in ParaView.");
         const auto &v = body.motion.velocity, &l = body.motion.angular_momentum;
+        const auto  fail = [&](const std::string &what) {
+          throw RunError("step " + std::to_string(state.step) +
+                         ": a rigid body of " + material_names[body.material] +
+                         what + " Look at the last results in ParaView.");
+        };
+        if (!std::isfinite(dot(v, v) + dot(l, l)))
+          fail(" has a velocity that is not a number.");
+        if (!drift(body.motion, body.mass, time_step))
+          fail(" turns by more than 60 degrees in a step.");
         if (!body.is_awake && (dot(v, v) > 0 || dot(l, l) > 0))
           {
             body.is_awake = true;

@@ -50,27 +50,39 @@ namespace rift
     if (dot(l, l) == 0)
       return true;
 
-    // Eq. 28 in the axes of the body. Each iteration gains as many digits as
-    // the angle of the step is small.
-    constexpr unsigned int largest_number_of_iterations = 100;
+    // Newton's method for eq. 28 in the axes of the body: q0 J q + q x J q = h.
+    constexpr unsigned int largest_number_of_iterations = 30;
     constexpr double       largest_sine                 = .5;
-    const Vector3<double>  half_momentum =
+    const Vector3<double>  h =
       (.5 * time_step) * turned(inverse(motion.rotation), l);
-    Quaternion step;
+    const Matrix3<double> &j = mass.inertia;
+    Vector3<double>        q = mass.inverse_inertia * h;
     for (unsigned int i = 0; i < largest_number_of_iterations; ++i)
       {
-        const Vector3<double> &q = step.imaginary;
-        const Vector3<double>  next =
-          (1 / step.real) *
-          (mass.inverse_inertia * (half_momentum - cross(q, mass.inertia * q)));
-        const double sine_squared = dot(next, next);
-        if (!(sine_squared < largest_sine * largest_sine))
+        const double square = dot(q, q);
+        if (!(square < largest_sine * largest_sine))
           return false;
-        const Vector3<double> change = next - q;
-        step                         = {std::sqrt(1 - sine_squared), next};
-        if (dot(change, change) <= 1e-30 * sine_squared)
+        const double          real  = std::sqrt(1 - square);
+        const Vector3<double> jq    = j * q;
+        const Vector3<double> error = real * jq + cross(q, jq) - h;
+        Matrix3<double>       slope;
+        for (unsigned int d = 0; d < 3; ++d)
           {
-            motion.rotation = normalized(motion.rotation * step);
+            Vector3<double> unit{};
+            unit[d]                      = 1;
+            const Vector3<double> column = (-q[d] / real) * jq +
+                                           real * (j * unit) + cross(unit, jq) +
+                                           cross(q, j * unit);
+            for (unsigned int e = 0; e < 3; ++e)
+              slope[e][d] = column[e];
+          }
+        const Vector3<double> change = inverse(slope) * error;
+        q -= change;
+        // The next change would be below the last digit.
+        if (dot(change, change) <= 1e-20 * dot(q, q))
+          {
+            motion.rotation = normalized(
+              motion.rotation * Quaternion{std::sqrt(1 - dot(q, q)), q});
             return true;
           }
       }

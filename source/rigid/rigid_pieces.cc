@@ -1,3 +1,4 @@
+#include <rift/base/bytes.h>
 #include <rift/base/exceptions.h>
 #include <rift/mesh/face_table.h>
 #include <rift/rigid/rigid_pieces.h>
@@ -19,9 +20,8 @@ namespace rift
         mesh.material_names[mesh.cell_materials[a]] + "\" and the material \"" +
         mesh.material_names[mesh.cell_materials[b]] +
         "\" share faces, but a rigid material acts on others by contact alone. "
-        "Mesh the two volumes apart, each with its own surface (in gmsh "
-        "without "
-        "Coherence and BooleanFragments).");
+        "Mesh the two volumes apart, with a small gap between them, such as "
+        "1e-6 m (in gmsh without Coherence and BooleanFragments).");
     }
   } // namespace
 
@@ -86,14 +86,10 @@ namespace rift
   {
     RigidPieces shared       = pieces;
     const auto  share_vector = [&](auto &values) {
-      using T = std::decay_t<decltype(values[0])>;
-      std::string bytes(reinterpret_cast<const char *>(values.data()),
-                        values.size() * sizeof(T));
+      using T           = std::decay_t<decltype(values[0])>;
+      std::string bytes = to_bytes(values);
       communicator.broadcast(bytes);
-      values.resize(bytes.size() / sizeof(T));
-      std::copy(bytes.begin(),
-                bytes.end(),
-                reinterpret_cast<char *>(values.data()));
+      values = from_bytes<T>(bytes);
     };
     share_vector(shared.body_of_cell);
     share_vector(shared.materials);

@@ -67,6 +67,9 @@ namespace rift
             weight /= 2;
           }
         const double scale = trace(power);
+        // Rigid cells have no stiffness.
+        if (scale == 0)
+          return 0;
         log_bound += weight * std::log(scale);
         for (auto &row : power)
           for (double &entry : row)

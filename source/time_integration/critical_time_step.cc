@@ -109,7 +109,7 @@ namespace rift
             elastic.frequency,
             "cell " + std::to_string(fastest.cell) + " of " + of.name +
               (of.cohesive_stiffness_factor > 0 ?
-                 ", cohesive stiffness included" :
+                 ", with room for cracks or contact" :
                  "") +
               (penalty ? ", cohesive penalty included" : "") +
               (of.viscosity > 0 ? ", viscosity included" : "")};

@@ -239,6 +239,4 @@ TEST(MaterialChecks, InertEntries)
                 "Cohesion",
                 "Breakable",
                 "Viscosity"});
-  material.velocity = {{"0", "0", "0"}};
-  EXPECT_TRUE(is_inert("Initial velocity"));
 }

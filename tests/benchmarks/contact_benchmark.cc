@@ -108,7 +108,7 @@ namespace rift::test
       cells.grow(-1e-3);
       const double before = memory("VmRSS:");
       // New pairs cost more: the volumes with which they start.
-      cells.contact.follow(cells.body.state);
+      cells.contact.follow(cells.body.state, 0);
       const double n                   = cells.body.topology.n_cells();
       bench.counters["bytes_per_cell"] = (memory("VmRSS:") - before) / n;
       for (auto _ : bench)
@@ -116,7 +116,7 @@ namespace rift::test
           // Far enough for a search each time.
           for (NodalVector &u : cells.body.state.displacement)
             u[0] += granite_edge;
-          cells.contact.follow(cells.body.state);
+          cells.contact.follow(cells.body.state, 0);
         }
       bench.counters["bytes_per_cell_at_most"] =
         (memory("VmHWM:") - before) / n;
@@ -129,13 +129,13 @@ namespace rift::test
     {
       LooseCells cells(bench.range(0));
       cells.grow(-1e-3);
-      cells.contact.follow(cells.body.state);
+      cells.contact.follow(cells.body.state, 0);
       // Not so far that pairs would be searched for anew.
       cells.grow(growth);
       cells.body.state.step = 1;
       for (auto _ : bench)
         {
-          cells.contact.follow(cells.body.state);
+          cells.contact.follow(cells.body.state, 0);
           cells.contact.add_to(cells.body.state, cells.activity, 1e-8);
         }
       report(bench, cells);

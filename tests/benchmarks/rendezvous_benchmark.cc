@@ -88,19 +88,20 @@ namespace rift::test
       for (const ContactCell &cell : own)
         points.push_back(cell.motion.positions[0]);
       const double skin = .8 / std::sqrt(double(n_cells));
-      Rendezvous   rendezvous(communicator, skin, [&](const ContactCell &) {
+      Rendezvous   rendezvous(communicator, [&](const ContactCell &) {
         return std::vector<int>{communicator.rank()};
       });
       double       divide = 1e9, search = 1e9;
       std::size_t  n_pairs = 0;
-      rendezvous.search(own);
+      rendezvous.search(own, skin);
       for (unsigned int i = 0; i < 10; ++i)
         {
           divide = std::min(divide, time_of(communicator, [&] {
                               divide_space(points, communicator);
                             }));
           search = std::min(search, time_of(communicator, [&] {
-                              n_pairs = rendezvous.search(own).pairs.size();
+                              n_pairs =
+                                rendezvous.search(own, skin).pairs.size();
                             }));
         }
       if (communicator.is_root())

@@ -290,6 +290,20 @@ TEST(ContactPair, FrictionKeepsTheBalanceOnAnyPath)
     }
 }
 
+TEST(ContactPair, TellsOfACellThatIsInsideOfAnother)
+{
+  // Where the potential of the large one is about zero: at its face.
+  Tetrahedron     small = upper;
+  Vector3<double> centre{};
+  for (const Vector3<double> &x : lower)
+    centre += .25 * x;
+  for (unsigned int c = 0; c < 4; ++c)
+    small[c] = centre + 1e-3 * (upper[c] - upper[0]);
+  ContactMemory memory;
+  const auto forces = touch(at_rest(lower), at_rest(small), smooth, 0, memory);
+  EXPECT_TRUE(forces.is_deep);
+}
+
 TEST(ContactPair, DampingTakesEnergyAndNeverPulls)
 {
   const ContactConstants damped = {penalty, 0, .2, 1e3};

@@ -171,12 +171,13 @@ TEST(Rendezvous, FindsThePairsOfAllRanks)
     {
       // From a few cells, so that ranks have none, to many of all sizes.
       Cloud      cloud(seed, 1 + seed % 40 * 8, .05 + .3 / (1 + seed % 7));
-      Rendezvous rendezvous(world(), skin, cloud.viewers());
+      Rendezvous rendezvous(world(), cloud.viewers());
       for (const double stretch : {1., 1., .7, 5.})
         {
           const auto expected = cloud.brute_force();
           n_pairs += static_cast<std::int64_t>(expected.size());
-          ASSERT_EQ(named(rendezvous.search(cloud.own()), cloud), expected)
+          ASSERT_EQ(named(rendezvous.search(cloud.own(), skin), cloud),
+                    expected)
             << seed;
           cloud.move(.3, stretch);
         }
@@ -198,7 +199,7 @@ TEST(Rendezvous, JoinsPairsThatAreKnown)
               if (cloud.is_seen(a) || cloud.is_seen(b))
                 expected.push_back(all.back());
             }
-      const Rendezvous rendezvous(world(), skin, cloud.viewers());
+      const Rendezvous rendezvous(world(), cloud.viewers());
       ASSERT_EQ(named(rendezvous.join(cloud.own(), all), cloud), expected);
       EXPECT_FALSE(expected.empty());
     }
@@ -209,10 +210,10 @@ TEST(Rendezvous, RefusesHeapsOnAllRanks)
   Cloud cloud(1, 1000, .1);
   for (ContactCell &cell : cloud.all)
     cell.motion = cloud.all[0].motion;
-  Rendezvous rendezvous(world(), skin, cloud.viewers());
+  Rendezvous rendezvous(world(), cloud.viewers());
   try
     {
-      rendezvous.search(cloud.own());
+      rendezvous.search(cloud.own(), skin);
       FAIL() << "no error";
     }
   catch (const Error &error)

@@ -151,7 +151,9 @@ TEST(CheckMesh, CoincidentVertices)
   EXPECT_EQ(check(mesh),
             "two: two vertices are at the same position (1, 0, 0), one of cell "
             "11 and one of cell 12: the body would be torn there. Merge them "
-            "in gmsh (Coherence Mesh, or BooleanFragments before meshing).");
+            "in gmsh (Coherence Mesh, or BooleanFragments before meshing), or "
+            "leave a gap, such as 1e-6 m, between bodies that touch by contact "
+            "alone.");
   // The tolerance is 1e-12 of the diagonal, sqrt(6), in every direction and
   // on both sides of every box that the search may use.
   for (unsigned int d = 0; d < 3; ++d)

@@ -94,6 +94,41 @@ TEST(RigidMotion, UnstableTopKeepsItsEnergy)
               1e-12);
 }
 
+TEST(RigidMotion, SlenderRodsTurnInAnyDirection)
+{
+  // Moments of inertia of 1 to 10,000 about oblique axes.
+  const double     s     = .5;
+  const Quaternion third = {.5, {{s, s, s}}};
+  RigidMass        mass;
+  Matrix3<double>  axes;
+  for (unsigned int d = 0; d < 3; ++d)
+    {
+      Vector3<double> unit{};
+      unit[d] = 1;
+      axes[d] = turned(third * Quaternion{.8, {{.6, 0, 0}}}, unit);
+    }
+  for (const double ratio : {3., 100., 1e4})
+    {
+      const Vector3<double> moments = {{1, ratio, .9 * ratio}};
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          {
+            mass.inertia[i][j] = 0;
+            for (unsigned int d = 0; d < 3; ++d)
+              mass.inertia[i][j] += moments[d] * axes[d][i] * axes[d][j];
+          }
+      mass.inverse_inertia = inverse(mass.inertia);
+      RigidMotion motion;
+      motion.angular_momentum = mass.inertia * Vector3<double>{{.3, -.2, .4}};
+      const double start      = energy(motion, mass);
+      for (unsigned int i = 0; i < 20000; ++i)
+        {
+          ASSERT_TRUE(drift(motion, mass, .02)) << ratio << ' ' << i;
+          ASSERT_NEAR(energy(motion, mass) / start, 1, 1e-3);
+        }
+    }
+}
+
 TEST(RigidMotion, MovesWithItsVelocity)
 {
   RigidMotion motion;

@@ -56,7 +56,8 @@ TEST(Rigid, DrivenHammerFeelsTheImpedance)
 {
   Log            log(nullptr);
   Simulation     simulation(scene("prm/contact/hammer.prm",
-                              {"Material hammer/Velocity x=2",
+                              {"Material hammer/Initial velocity=0, 0, 0",
+                                   "Material hammer/Velocity x=2",
                                    "Material hammer/Velocity y=0",
                                    "Material hammer/Velocity z=0"}),
                         log);

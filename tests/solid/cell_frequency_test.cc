@@ -123,6 +123,12 @@ TEST(CellFrequency, RegularTetrahedronIsThatOfTheTable)
     }
 }
 
+TEST(CellFrequency, RigidCellsHaveNone)
+{
+  const DiscreteBody body = discretize(make_regular_cell(), {2641});
+  EXPECT_EQ(largest_frequency_squared(body.reference[0], 0, {}, 2641), 0);
+}
+
 TEST(CellFrequency, BoundIsSafeAndSharp)
 {
   Random random(1);

@@ -137,7 +137,7 @@ TEST(CriticalTimeStep, CohesiveStiffnessShortensIt)
   // Three faces at each corner, each with this share of the stiffness.
   EXPECT_NEAR(of(1, 0).time_step, plain.time_step / 2, 1e-12 * exact);
   EXPECT_EQ(of(1, 0).limited_by,
-            "cell 0 of granite, cohesive stiffness included");
+            "cell 0 of granite, with room for cracks or contact");
   EXPECT_LT(of(0, 1e5).time_step, plain.time_step);
   EXPECT_EQ(of(0, 1e5).limited_by, "cell 0 of granite, viscosity included");
 }

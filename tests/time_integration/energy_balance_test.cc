@@ -13,6 +13,17 @@
 using namespace rift;
 using namespace rift::test;
 
+TEST(EnergyLedger, WhatIsNotANumberIsNoBalance)
+{
+  EnergyLedger ledger;
+  ledger.enter({});
+  Energies energies;
+  energies.kinetic = std::numeric_limits<double>::quiet_NaN();
+  ledger.enter(energies);
+  EXPECT_EQ(ledger.relative_residual(),
+            std::numeric_limits<double>::infinity());
+}
+
 TEST(EnergyLedger, ResidualIsWhatCameFromNowhere)
 {
   EnergyLedger ledger;

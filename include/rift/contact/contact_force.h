@@ -50,10 +50,10 @@ namespace rift
    * its nodes are the same on any number of ranks; of cells that it does not
    * own it is told by their owners.
    *
-   * Pairs are searched for anew when a corner has moved by half of the skin
-   * since the last time, and every `crack_interval` steps when something has
-   * broken. A pair whose cells overlap already when it is found starts without
-   * force and energy.
+   * Pairs are searched for anew when a corner would have moved by half of the
+   * skin in the next step, and every `crack_interval` steps when something has
+   * broken. A pair whose cells overlap already when it is found, which happens
+   * at cracks, starts without force and energy.
    */
   class ContactForce
   {
@@ -101,9 +101,11 @@ namespace rift
      * Takes in where the cells are now, on all ranks, and finds the pairs
      * anew when that is due. To be called once before the first step and after
      * each drift, when the nodes of ghost cells have followed. Collective.
+     *
+     * @param time_step s.
      */
     void
-    follow(const State &state);
+    follow(const State &state, double time_step);
 
     /** Adds the forces at the positions of the last follow().
      * @param time_step that has led there, s; zero at the start.
@@ -186,14 +188,14 @@ namespace rift
     };
 
     bool
-    is_due(const State &state);
+    is_due(const State &state, double time_step) const;
 
     /** The own cells as they are now. */
     std::vector<ContactCell>
     own_cells(const State &state, const std::vector<CellIndex> &cells) const;
 
     void
-    search(const State &state);
+    search(const State &state, double time_step);
 
     /** Makes the members and the pairs that concern this rank. */
     void

@@ -50,8 +50,9 @@ namespace rift
     bool touches = false;
 
     /** Whether so deep that the potential will soon fall again: the mean of
-     * least coordinates over the overlap is above `largest_mean_potential`. Not
-     * of pairs that were born with an overlap. */
+     * least coordinates over the overlap is above `largest_mean_potential`, or
+     * more than `largest_share` of a cell is inside of the other. Not of pairs
+     * that were born with an overlap. */
     bool is_deep = false;
 
     /** Forces on the corners of both cells, N. */
@@ -68,6 +69,10 @@ namespace rift
   /** Of faces that lie flat upon each other, the depth over the height. The
    * potential is largest at a quarter. */
   constexpr double largest_mean_potential = .15;
+
+  /** Of a cell so deep inside of a larger one that it may be pushed along where
+   * the potential of that one is zero. */
+  constexpr double largest_share = .9;
 
   /**
    * Contact of two tetrahedra (doc/theory.md, section 8).

@@ -32,18 +32,18 @@ namespace rift
     /** The ranks that see a cell of this rank, itself included; ascending. */
     using Viewers = std::function<std::vector<int>(const ContactCell &)>;
 
-    /** @param skin m. */
-    Rendezvous(const Communicator &communicator, double skin, Viewers viewers);
+    Rendezvous(const Communicator &communicator, Viewers viewers);
 
     /**
      * All pairs of cells of which this rank sees one, nearer than the skin and
      * not bonded. Collective.
      *
      * @param own cells of this rank, ascending.
+     * @param skin m; on all ranks the same.
      * @throws RunError on all ranks if there are too many on one.
      */
     ContactNeighbourhood
-    search(std::vector<ContactCell> own);
+    search(std::vector<ContactCell> own, double skin);
 
     /** Global indices of two cells, the smaller first. */
     using NamedPair = std::pair<GlobalCellIndex, GlobalCellIndex>;
@@ -79,7 +79,6 @@ namespace rift
     tell(const Guests &guests, const std::vector<BoxPair> &pairs) const;
 
     const Communicator &communicator;
-    const double        skin;
     const Viewers       viewers;
 
     SpaceDivision division;

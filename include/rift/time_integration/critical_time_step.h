@@ -38,7 +38,7 @@ namespace rift
      */
     double frequency_squared;
 
-    /** For the log: "cell 17 of granite, cohesive stiffness included". */
+    /** For the log: "cell 17 of granite, with room for cracks or contact". */
     std::string limited_by;
   };
 

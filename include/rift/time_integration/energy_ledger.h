@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rift
 {
@@ -99,10 +100,13 @@ namespace rift
       return now.total() - now.loads - initial;
     }
 
-    /** The residual over the largest energy that was in play so far. */
+    /** The residual over the largest energy that was in play so far; infinite
+     * if an energy is not a number. */
     double
     relative_residual() const
     {
+      if (!std::isfinite(residual()))
+        return std::numeric_limits<double>::infinity();
       return input > 0 ? residual() / input : 0;
     }
 
