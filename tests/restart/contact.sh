@@ -35,14 +35,14 @@ goes_on rigid 3 200 "$here/../scenes/rigid_collision.prm" \
   --set "Time/End time=2.5e-4"
 ! grep -q '"contact_pairs": 0,' rigid/summary.json || fail "nothing touches"
 
-goes_on pile 2 1000 "$contact/pile.prm" \
+goes_on pile 2 400 "$contact/pile.prm" \
   --set "Mesh/Parameters=n_x = 3, n_y = 3, n_z = 2" \
   --set "Material lower/Initial velocity=0.3, 0, -2" \
   --set "Material upper/Initial velocity=0, 0.2, -3" \
-  --set "Time/End time=0.03" --set "Output/Solution interval=0.03"
+  --set "Time/End time=0.015" --set "Output/Solution interval=0.015"
 ! grep -q '"contact_pairs": 0,' pile/summary.json || fail "nothing touches"
 
-goes_on plate 1 120 "$contact/plate.prm" \
+goes_on plate 1 80 "$contact/plate.prm" \
   --set "Mesh/Element size=8e-3" --set "Mesh/Parameters=width = 0.06" \
-  --set "Time/End time=6e-5" --set "Output/Solution interval=3e-5"
+  --set "Time/End time=4e-5" --set "Output/Solution interval=2e-5"
 ! grep -q '"contact_pairs": 0,' plate/summary.json || fail "nothing touches"
