@@ -109,6 +109,7 @@ namespace rift
   {
     if (n_ranks == 1)
       return messages;
+    // -1 where there is no message, which may also be empty.
     std::vector<int> sent(n_ranks, -1), received(n_ranks);
     for (const auto &[rank, bytes] : messages)
       sent[rank] = count_of(bytes);
@@ -119,28 +120,39 @@ namespace rift
                  1,
                  MPI_INT,
                  communicator);
-
-    std::map<int, std::string> result;
-    std::vector<MPI_Request>   requests;
+    std::map<int, std::size_t> sizes;
     for (int rank = 0; rank < n_ranks; ++rank)
       if (received[rank] >= 0)
-        {
-          std::string &bytes = result[rank];
-          bytes.resize(received[rank]);
-          requests.emplace_back();
-          MPI_Irecv(bytes.data(),
-                    received[rank],
-                    MPI_BYTE,
-                    rank,
-                    exchange_tag,
-                    communicator,
-                    &requests.back());
-        }
+        sizes[rank] = received[rank];
+    return exchange(messages, sizes);
+  }
+
+  std::map<int, std::string>
+  Communicator::exchange(const std::map<int, std::string> &messages,
+                         const std::map<int, std::size_t> &sizes) const
+  {
+    if (n_ranks == 1)
+      return messages;
+    std::map<int, std::string> result;
+    std::vector<MPI_Request>   requests;
+    for (const auto &[rank, size] : sizes)
+      {
+        std::string &bytes = result[rank];
+        bytes.resize(size);
+        requests.emplace_back();
+        MPI_Irecv(bytes.data(),
+                  static_cast<int>(size),
+                  MPI_BYTE,
+                  rank,
+                  exchange_tag,
+                  communicator,
+                  &requests.back());
+      }
     for (const auto &[rank, bytes] : messages)
       {
         requests.emplace_back();
         MPI_Isend(bytes.data(),
-                  sent[rank],
+                  count_of(bytes),
                   MPI_BYTE,
                   rank,
                   exchange_tag,

@@ -216,9 +216,6 @@ namespace rift
     std::map<int, std::string> messages;
     for (const auto &[rank, cells] : wanted)
       messages[rank] = to_bytes(cells);
-    has_partners = communicator.any(!messages.empty());
-    if (!has_partners)
-      return;
     for (const auto &[rank, bytes] : communicator.exchange(messages))
       {
         Partner listener{rank, {}};
@@ -234,8 +231,6 @@ namespace rift
     for (Member &member : members)
       if (member.cell.owner == communicator.rank())
         member.cell.motion = motion_of(topology, state, member.local);
-    if (!has_partners)
-      return;
     std::map<int, std::string> messages;
     for (const Partner &listener : listeners)
       {
@@ -244,7 +239,10 @@ namespace rift
           motions.push_back(motion_of(topology, state, cell));
         messages[listener.rank] = to_bytes(motions);
       }
-    const auto received = communicator.exchange(messages);
+    std::map<int, std::size_t> sizes;
+    for (const Partner &teller : tellers)
+      sizes[teller.rank] = teller.cells.size() * sizeof(CellMotion);
+    const auto received = communicator.exchange(messages, sizes);
     for (const Partner &teller : tellers)
       {
         const auto motions = from_bytes<CellMotion>(received.at(teller.rank));

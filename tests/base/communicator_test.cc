@@ -105,6 +105,23 @@ TEST(Communicator, NeighboursExchange)
   EXPECT_EQ(received.at(last), text_of(last));
 }
 
+TEST(Communicator, PairsExchangeWhatTheyExpect)
+{
+  // Ranks 0 and 1 twice, the others not at all; one message is empty.
+  const Communicator all(MPI_COMM_WORLD);
+  const int          other = 1 - all.rank();
+  if (all.size() == 1 || other < 0)
+    return;
+  for (const std::size_t length : {5, 0})
+    {
+      const std::string own(length * (1 + all.rank()), 'a');
+      const auto        received =
+        all.exchange({{other, own}}, {{other, length * (1 + other)}});
+      ASSERT_EQ(received.size(), 1u);
+      EXPECT_EQ(received.at(other), std::string(length * (1 + other), 'a'));
+    }
+}
+
 TEST(Communicator, AllThrowTheErrorOfTheLowestRank)
 {
   const Communicator all(MPI_COMM_WORLD);

@@ -73,6 +73,14 @@ namespace rift
     std::map<int, std::string>
     exchange(const std::map<int, std::string> &messages) const;
 
+    /**
+     * The same where each rank knows how many bytes come from which ranks: the
+     * others need not call.
+     */
+    std::map<int, std::string>
+    exchange(const std::map<int, std::string> &messages,
+             const std::map<int, std::size_t> &sizes) const;
+
     /** The bytes of all ranks, on all ranks, by rank. Collective. */
     std::vector<std::string>
     all_gather(const std::string &bytes) const;

@@ -231,7 +231,6 @@ namespace rift
     std::vector<Member>  members;
     std::vector<Pair>    pairs;
     std::vector<Partner> listeners, tellers;
-    bool                 has_partners = false;
     ContactEnergy        energies;
   };
 } // namespace rift
