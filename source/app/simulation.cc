@@ -323,9 +323,9 @@ namespace rift
                                   body.communicator,
                                   penalty_frequency);
 
-    const TimeParameters &time = parameters.time;
-    dt                         = time.time_step > 0 ? time.time_step :
-                                                      time.safety_factor * critical.time_step;
+    const TimeParameters &time      = parameters.time;
+    const double          safe_step = time.safety_factor * critical.time_step;
+    dt = time.time_step > 0 ? time.time_step : safe_step;
     if (restart != nullptr)
       dt = restart->time_step;
     // A little tolerance, so that rounding does not add a step.
