@@ -11,6 +11,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
@@ -103,7 +104,10 @@ namespace rift
     Vector3<double>
     read_direction(const std::string &text)
     {
-      const auto      words = split(simplified(text), ' ');
+      // As on the command line, or as in a scene.
+      std::string blanks = text;
+      std::replace(blanks.begin(), blanks.end(), ',', ' ');
+      const auto      words = split(simplified(blanks), ' ');
       Vector3<double> result{};
       bool            is_good = words.size() == 3;
       for (unsigned int d = 0; d < 3 && is_good; ++d)
@@ -154,12 +158,22 @@ namespace rift
                          std::strerror(errno) + ".");
       std::vector<MeasuredSpeed> result;
       std::string                text;
+      bool                       has_header = false;
       for (unsigned int line = 1; std::getline(file, text); ++line)
         {
           text = simplified(text.substr(0, text.find('#')));
-          // The first line names the columns.
-          if (text.empty() || line == 1)
+          if (text.empty())
             continue;
+          if (!has_header)
+            {
+              if (text.find("[m/s]") == std::string::npos)
+                throw InputError(path + ":" + std::to_string(line) +
+                                 ": found \"" + text +
+                                 "\" instead of a header; the first line is "
+                                 "\"x, y, z, wave, speed [m/s]\".");
+              has_header = true;
+              continue;
+            }
           const auto    cells = split(text, ',');
           MeasuredSpeed row{};
           bool          is_good = cells.size() == 5;
@@ -295,6 +309,15 @@ namespace rift
                  groups_text(result.groups),
                  unit_name,
                  result.mean_residual() / unit);
+      constexpr double smallest_density = 1e-4;
+      for (const CrackGroup &group : result.groups)
+        if (group.density < smallest_density)
+          {
+            fmt::print(out,
+                       "  WARNING: densities are at their limit, zero: what "
+                       "was measured is stiffer than these cracks allow\n");
+            break;
+          }
       for (std::size_t i = 0; i < names.size(); ++i)
         if (std::abs(result.residuals[i]) > 5e-4 * unit)
           fmt::print(out,

@@ -88,6 +88,22 @@ TEST(ElasticityTool, FitsMeasuredSpeeds)
   expect_contains(text, "0 1 0                      3940.0");
 }
 
+TEST(ElasticityTool, SaysWhenCracksCannotExplainTheSpeeds)
+{
+  const std::string table = testing::TempDir() + "/fast_speeds.csv";
+  std::ofstream(table) << "x,y,z,wave,speed [m/s]\n1, 0, 0, P, 6700\n"
+                          "0, 1, 0, P, 7000\n0, 0, 1, P, 6400\n";
+  expect_contains(run({scene,
+                       "barre",
+                       "--set",
+                       "Material barre/Crack scheme=dilute",
+                       "--direction",
+                       "1, 1, 0",
+                       "--fit-speeds",
+                       table}),
+                  "WARNING: densities are at their limit, zero");
+}
+
 TEST(ElasticityTool, SaysWhatIsWrong)
 {
   expect_contains(run({"--help"}), "--fit-speeds");
@@ -122,6 +138,11 @@ TEST(ElasticityTool, SaysWhatIsWrong)
   const auto        write = [&table](const std::string &row) {
     std::ofstream(table) << "x,y,z,wave,speed [m/s]\n" << row << '\n';
   };
+  std::ofstream(table) << "0, 0, 1, P, 3670\n";
+  expect_error({scene, "barre", "--fit-speeds", table},
+               table +
+                 ":1: found \"0, 0, 1, P, 3670\" instead of a header; the "
+                 "first line is \"x, y, z, wave, speed [m/s]\".");
   write("0, 0, 1, Q, 3670");
   expect_error({scene, "barre", "--fit-speeds", table},
                table +
