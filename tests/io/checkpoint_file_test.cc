@@ -125,11 +125,11 @@ TEST(CheckpointFile, FormatHasNotChanged)
 {
   const TemporaryDirectory directory;
   const SmallFile          small(directory / "f");
-  EXPECT_EQ(checkpoint_format, 2u);
+  EXPECT_EQ(checkpoint_format, 3u);
   EXPECT_EQ(small.id.size, 225u);
   EXPECT_EQ(small.id.checksum, 8935834153481957747u);
   EXPECT_EQ(small.bytes.substr(0, 24),
-            std::string("rift checkpoint\0\2\0\0\0\0\0\0\0", 24));
+            std::string("rift checkpoint\0\3\0\0\0\0\0\0\0", 24));
   EXPECT_EQ(small.bytes.substr(24, 31),
             std::string("\7\0\0\0\0\0\0\0\10\0\0\0\0\0\0\0\3\0\0\0\0\0\0\0"
                         "numbers",
@@ -287,9 +287,11 @@ TEST(CheckpointFile, OfAnotherFormat)
   const TemporaryDirectory directory;
   const SmallFile          small(directory / "f");
   std::string              bytes = small.bytes;
-  bytes[16]                      = 3;
+  bytes[16]                      = checkpoint_format + 1;
   EXPECT_EQ(small.failure(bytes),
-            "has format 3, and this version of rift reads format 2.");
+            "has format " + std::to_string(checkpoint_format + 1) +
+              ", and this version of rift reads format " +
+              std::to_string(checkpoint_format) + ".");
 }
 
 TEST(CheckpointFile, IsAnother)
