@@ -70,11 +70,9 @@ namespace rift
         "Elasticity",
         "isotropic",
         Patterns::Selection("isotropic|anisotropic|microcracked|rigid"),
-        "Isotropic with two constants, anisotropic with 21, "
-        "microcracked: what groups of microcracks leave of an "
-        "isotropic one, or rigid: does not deform and acts on others by "
-        "contact "
-        "alone.");
+        "Isotropic with two constants, anisotropic with 21, microcracked: "
+        "what groups of microcracks leave of an isotropic one, or rigid: "
+        "does not deform and acts on others by contact alone.");
       declare_number(prm,
                      "Young's modulus",
                      defaults.youngs_modulus,

@@ -22,7 +22,6 @@ namespace rift
     {
       return {{sums[0].value(), sums[1].value(), sums[2].value()}};
     }
-
   } // namespace
 
   RigidBodies::RigidBodies(const Topology                        &topology,
