@@ -276,6 +276,33 @@ namespace rift
     return parameters.used_text;
   }
 
+  std::vector<std::string>
+  doubts(const Parameters &parameters)
+  {
+    std::vector<std::string> result;
+    for (const MaterialParameters &material : parameters.materials)
+      {
+        for (const std::string &doubt : material.doubts())
+          result.push_back(doubt);
+        if (parameters.cohesive.model == CohesiveParameters::Model::none &&
+            material.breakable && material.tensile_strength > 0)
+          result.push_back("Material " + material.name +
+                           " has strengths, but nothing breaks without a "
+                           "\"Cohesive model\" in subsection Fracture.");
+      }
+    const TimeParameters &time = parameters.time;
+    for (const auto &[name, interval] :
+         {std::make_pair("Solution interval",
+                         parameters.output.solution_interval),
+          std::make_pair("History interval",
+                         parameters.output.history_interval)})
+      if (interval > time.end_time)
+        result.push_back(std::string("Output/") + name +
+                         " is longer than the run. Are both times in "
+                         "seconds?");
+    return result;
+  }
+
   void
   print_summary(std::ostream &out, const Parameters &parameters)
   {

@@ -359,6 +359,8 @@ namespace rift
     print_summary(out, parameters);
     const Communicator communicator(MPI_COMM_WORLD);
     Log                log(communicator.is_root() ? &out : nullptr);
+    for (const std::string &doubt : doubts(parameters))
+      log.write("WARNING: " + doubt);
     Simulation(parameters, log, communicator);
   }
 

@@ -255,6 +255,22 @@ end
   EXPECT_EQ(p.checkpoint.n_sets, CheckpointParameters().n_sets);
 }
 
+TEST_F(ParametersTest, DoubtsWhatMayNotBeMeant)
+{
+  const std::string scene = write("everything.prm", full_scene);
+  EXPECT_TRUE(doubts(read_parameters(scene)).empty());
+  const auto found = doubts(read_parameters(
+    scene,
+    {"Fracture/Cohesive model=none", "Output/Solution interval=1e3"}));
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0],
+            "Material granite has strengths, but nothing breaks without a "
+            "\"Cohesive model\" in subsection Fracture.");
+  EXPECT_EQ(found[1],
+            "Output/Solution interval is longer than the run. Are both times "
+            "in seconds?");
+}
+
 TEST_F(ParametersTest, SummaryNamesWhatTheSceneHas)
 {
   std::ostringstream out;

@@ -73,6 +73,10 @@ namespace rift
   std::string
   used_parameters(const Parameters &parameters);
 
+  /** Sentences about what may not be meant, for warnings. */
+  std::vector<std::string>
+  doubts(const Parameters &parameters);
+
   /** Says in a few lines what a scene is, for `rift --validate`. */
   void
   print_summary(std::ostream &out, const Parameters &parameters);
