@@ -8,6 +8,12 @@ namespace rift
 {
   namespace
   {
+    double
+    residual_friction_angle(const MaterialParameters &material)
+    {
+      return material.residual_friction_angle.value_or(material.friction_angle);
+    }
+
     std::optional<FaceStrength>
     weaker_of(const MaterialParameters &a, const MaterialParameters &b)
     {
@@ -17,6 +23,8 @@ namespace rift
         std::min(a.tensile_strength, b.tensile_strength),
         std::min(a.cohesion, b.cohesion),
         std::tan(std::min(a.friction_angle, b.friction_angle)),
+        std::tan(
+          std::min(residual_friction_angle(a), residual_friction_angle(b))),
         std::min(a.fracture_energy_1, b.fracture_energy_1),
         std::min(a.fracture_energy_2, b.fracture_energy_2)};
     }

@@ -66,13 +66,13 @@ namespace rift
     /** Of an elastic branch with this traction. */
     GivenEnergy
     energy_of(const Vector3<double> &traction,
-              const double           tan_friction_angle,
+              const double           friction_coefficient,
               const double           stiffness)
     {
       const double tension  = std::max(traction[0], 0.);
       const double pressure = std::max(-traction[0], 0.);
       const double shear    = std::hypot(traction[1], traction[2]);
-      const double friction = std::min(tan_friction_angle * pressure, shear);
+      const double friction = std::min(friction_coefficient * pressure, shear);
       const double cohesion = shear - friction;
       return {.5 * (tension * tension + cohesion * cohesion) / stiffness,
               cohesion * friction / stiffness,
@@ -83,7 +83,10 @@ namespace rift
   CohesiveConstants<double>
   make_constants(const FaceStrength &strength, const double stiffness)
   {
-    return {stiffness, strength.tensile_strength, strength.tan_friction_angle};
+    return {stiffness,
+            strength.tensile_strength,
+            strength.tan_friction_angle,
+            strength.residual_friction};
   }
 
   CohesivePoint<double>
@@ -123,7 +126,9 @@ namespace rift
   {
     const Vector3<double> before = point.traction;
     const Vector3<double> t      = before + more;
-    const double friction = strength.tan_friction_angle * std::max(-t[0], 0.);
+    const double          coefficient =
+      make_constants(strength, stiffness).friction_at(point.softening);
+    const double friction         = coefficient * std::max(-t[0], 0.);
     const double tensile_strength = point.softening * strength.tensile_strength;
     const double cohesion         = point.softening * strength.cohesion;
     const double shear            = std::hypot(t[1], t[2]) - friction;
@@ -144,9 +149,8 @@ namespace rift
                     strength,
                     stiffness,
                     StraightBranch::part_of_fracture);
-    const double      slope = strength.tan_friction_angle;
-    const GivenEnergy had   = energy_of(before, slope, stiffness);
-    const GivenEnergy has   = energy_of(t, slope, stiffness);
+    const GivenEnergy had = energy_of(before, coefficient, stiffness);
+    const GivenEnergy has = energy_of(t, coefficient, stiffness);
     return {has.fracture - had.fracture,
             has.friction - had.friction,
             has.pressure - had.pressure};

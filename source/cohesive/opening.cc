@@ -146,6 +146,7 @@ namespace rift
     constants.stiffness[lane] = slope(index);
     constants.tensile_strength[lane]   = strength.tensile_strength;
     constants.tan_friction_angle[lane] = strength.tan_friction_angle;
+    constants.residual_friction[lane]  = strength.residual_friction;
     if (batch.memory != invalid_index)
       start_points(i);
   }

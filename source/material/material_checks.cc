@@ -275,6 +275,11 @@ namespace rift
         refuse("Friction angle",
                "this must be between 0 and 80 degrees. Steeper friction is "
                "not covered by the bound of the time step.");
+      const double residual =
+        material.residual_friction_angle.value_or(material.friction_angle);
+      if (!(residual >= 0 && residual <= material.friction_angle))
+        refuse("Residual friction angle",
+               "this must be between 0 and the friction angle.");
       const double m = material.weibull_modulus;
       if (!(m == 0 || m >= 1))
         refuse("Weibull modulus",

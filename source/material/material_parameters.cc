@@ -62,6 +62,19 @@ namespace rift
       return group;
     }
 
+    std::optional<double>
+    read_residual_friction(const std::string &text, const std::string &section)
+    {
+      double angle;
+      if (text.empty())
+        return {};
+      if (!from_text(text, angle))
+        throw ParameterError(section,
+                             "Residual friction angle",
+                             "this must be a number in degrees, or nothing.");
+      return angle * M_PI / 180;
+    }
+
     void
     declare_elasticity(ParameterHandler &prm)
     {
@@ -141,6 +154,11 @@ namespace rift
                      "Angle of internal friction: its tangent times the "
                      "compressive stress adds to the cohesion. Units: "
                      "degrees.");
+      prm.declare_entry("Residual friction angle",
+                        "",
+                        Patterns::Anything(),
+                        "Angle to which friction falls while a face loses its "
+                        "strength. Without it friction stays. Units: degrees.");
       declare_number(prm,
                      "Fracture energy I",
                      defaults.fracture_energy_1,
@@ -225,9 +243,12 @@ namespace rift
                                         section_of(name),
                                         std::string("Velocity ") + "xyz"[d],
                                         scene);
-    result.tensile_strength  = prm.get_double("Tensile strength");
-    result.cohesion          = prm.get_double("Cohesion");
-    result.friction_angle    = prm.get_double("Friction angle") * M_PI / 180;
+    result.tensile_strength = prm.get_double("Tensile strength");
+    result.cohesion         = prm.get_double("Cohesion");
+    result.friction_angle   = prm.get_double("Friction angle") * M_PI / 180;
+    result.residual_friction_angle =
+      read_residual_friction(prm.get("Residual friction angle"),
+                             section_of(name));
     result.fracture_energy_1 = prm.get_double("Fracture energy I");
     result.fracture_energy_2 = prm.get_double("Fracture energy II");
     result.weibull_modulus   = prm.get_double("Weibull modulus");
@@ -248,6 +269,7 @@ namespace rift
     const std::vector<std::string> strength = {"Tensile strength",
                                                "Cohesion",
                                                "Friction angle",
+                                               "Residual friction angle",
                                                "Fracture energy I",
                                                "Fracture energy II",
                                                "Weibull modulus"};

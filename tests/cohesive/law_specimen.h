@@ -9,7 +9,8 @@ namespace rift::test
   using Vector = Vector3<double>;
 
   /** Granite, but for fracture energies that differ. */
-  const FaceStrength strength = {15e6, 36.7e6, std::tan(.8727), 400, 900};
+  const FaceStrength strength =
+    {15e6, 36.7e6, std::tan(.8727), std::tan(.8727), 400, 900};
 
   /** A slope at which no separation is too short for the softening. */
   constexpr double slope = 2e13;

@@ -148,6 +148,49 @@ TEST(MohrCoulomb, FrictionDoesNotFadeWithDamage)
     }
 }
 
+// On the way, the shear is f C + mu(f) p. What slides is the slip beyond the
+// envelope and what the elastic branch gives back, (1 - f) (C + fading p)/k,
+// so that the integral of f over it is I s_t + (C + fading p)/(2 k).
+TEST(MohrCoulomb, FrictionFadesToTheResidual)
+{
+  const double pressure = 50e6, cohesion = strength.cohesion;
+  for (const double residual : {0., .5})
+    {
+      Specimen specimen;
+      specimen.constants.residual_friction = residual;
+      const double fading = strength.tan_friction_angle - residual;
+      specimen.go_to({{-pressure / slope, 0, 0}}, 10);
+      double least_softening = 1;
+      for (unsigned int i = 1; i <= 40000; ++i)
+        {
+          specimen.step_to({{-pressure / slope, i * 1.5e-4 * full_slip, 0}});
+          const auto &p     = specimen.point;
+          least_softening   = std::min(least_softening, p.softening);
+          const double peak = p.softening * cohesion +
+                              (residual + fading * p.softening) * pressure;
+          ASSERT_LE(specimen.shear(), peak * (1 + 1e-9));
+          if (p.softening < 1)
+            {
+              ASSERT_NEAR(specimen.shear(), peak, 1e-9 * cohesion);
+            }
+        }
+      EXPECT_EQ(least_softening, 0);
+      EXPECT_NEAR(specimen.shear(), residual * pressure, 1e-9 * pressure);
+
+      const double slip = specimen.point.offset[1];
+      const double part =
+        Softening::integral * full_jump(strength.fracture_energy_2, cohesion) +
+        .5 * (cohesion + fading * pressure) / slope;
+      EXPECT_NEAR(specimen.fracture, cohesion * part, 1e-3 * cohesion * part);
+      const double friction = pressure * (residual * slip + fading * part);
+      EXPECT_NEAR(specimen.friction, friction, 1e-3 * friction);
+      EXPECT_NEAR(specimen.work - .5 * pressure * pressure / slope,
+                  specimen.fracture + specimen.friction +
+                    .5 * std::pow(residual * pressure, 2) / slope,
+                  1e-9 * specimen.work);
+    }
+}
+
 TEST(MohrCoulomb, FailedPointClosesWhereItWasCut)
 {
   Specimen specimen;
@@ -179,10 +222,12 @@ TEST(MohrCoulomb, LanesAreLikeNumbers)
   for (unsigned int l = 0; l < batch_size; ++l)
     {
       numbers[l].hold({{2e6 * l, 1e6 * l, 5e6}});
-      const auto &p                   = numbers[l].point;
-      constants.stiffness[l]          = slope;
-      constants.tensile_strength[l]   = strength.tensile_strength;
-      constants.tan_friction_angle[l] = strength.tan_friction_angle;
+      const auto &p                          = numbers[l].point;
+      constants.stiffness[l]                 = slope;
+      constants.tensile_strength[l]          = strength.tensile_strength;
+      constants.tan_friction_angle[l]        = strength.tan_friction_angle;
+      constants.residual_friction[l]         = .3;
+      numbers[l].constants.residual_friction = .3;
       for (unsigned int d = 0; d < 3; ++d)
         {
           lanes.offset[d][l]   = p.offset[d];

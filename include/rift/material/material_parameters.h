@@ -6,6 +6,7 @@
 #include <rift/material/microcracks.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -77,6 +78,10 @@ namespace rift
     double cohesion         = 0;
     double friction_angle   = 0;
 
+    /** Of a face that has lost its strength, rad; without it the friction angle
+     * stays. */
+    std::optional<double> residual_friction_angle;
+
     /** Fracture energies of modes I and II, J/m^2. */
     double fracture_energy_1 = 0;
     double fracture_energy_2 = 0;
@@ -106,7 +111,7 @@ namespace rift
      * store negative energy, parallel axes, a negative viscosity, negative
      * strengths or fracture energies, strengths that are not zero and outside
      * 1e-7..1 of the modulus of elasticity, a friction angle outside [0, 80]
-     * degrees, a Weibull modulus between 0 and 1, and a table that does not
+     * degrees, a residual one outside [0, friction angle], a Weibull modulus between 0 and 1, and a table that does not
      * exist.
      */
     void

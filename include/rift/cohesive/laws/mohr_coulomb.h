@@ -13,7 +13,9 @@ namespace rift
     /** Tensile strength and cohesion, Pa. */
     double tensile_strength, cohesion;
 
-    double tan_friction_angle;
+    /** Coefficients of internal friction, while the face is intact and once it
+     * has failed. */
+    double tan_friction_angle, residual_friction;
 
     /** Fracture energies of modes I and II, J/m^2. */
     double fracture_energy_1, fracture_energy_2;
@@ -56,7 +58,16 @@ namespace rift
     /** Slope k of the elastic branch at its start, Pa/m. */
     Number stiffness;
 
-    Number tensile_strength, tan_friction_angle;
+    Number tensile_strength, tan_friction_angle, residual_friction;
+
+    /** Coefficient of friction of a point with this share f(D) of its strength
+     * (doc/theory.md, eq. 14a). */
+    Number
+    friction_at(const Number &softening) const
+    {
+      return residual_friction +
+             softening * (tan_friction_angle - residual_friction);
+    }
   };
 
   /** Energy per area that one update has used up, J/m^2. */
@@ -68,12 +79,12 @@ namespace rift
 
   /**
    * Cohesive law: Mohr-Coulomb with tension cut-off, softening in modes I and
-   * II and mixed, Coulomb friction in compression that does not fade with
-   * damage (doc/theory.md, section 4).
+   * II and mixed, Coulomb friction in compression that fades to a residual one
+   * (doc/theory.md, section 4).
    *
    * The elastic part of the jump, jump - offset, makes the traction along the
    * `Branch`, up to the envelope
-   *   t_n <= f(D) T + e_n,   |t_s| <= f(D) C + e_s + tan(phi) <-t_n>;
+   *   t_n <= f(D) T + e_n,   |t_s| <= f(D) C + e_s + mu(D) <-t_n>;
    * what would leave the envelope goes into the offset, irreversibly.
    * Unloading and reloading follow the branch, whose slope at the start is also
    * the penalty against overlap. The stiffness thus never changes where the
@@ -130,8 +141,8 @@ namespace rift
                    const CohesiveConstants<Number> &constants);
 
   private:
-    /** What an elastic jump would carry on a straight and endless branch, Pa,
-     * and the shear strength by friction that goes with it. */
+    /** What an elastic jump would carry on a straight and endless branch,
+     * Pa. */
     template <typename Number>
     struct Trial
     {
@@ -140,20 +151,20 @@ namespace rift
         : vector(constants.stiffness * elastic_jump)
         , normal(vector[0])
         , shear(sqrt(vector[1] * vector[1] + vector[2] * vector[2]))
-        , friction(constants.tan_friction_angle * max(-normal, Number{}))
+        , pressure(max(-normal, Number{}))
       {
       }
 
       Vector3<Number> vector;
-      Number          normal, shear, friction;
+      Number          normal, shear, pressure;
     };
 
-    /** The strength that is left, without friction, Pa: the peaks of the
-     * branch. */
+    /** The strength that is left, Pa, in shear without friction: the peaks of
+     * the branch. And the coefficient of friction. */
     template <typename Number>
     struct Peaks
     {
-      Number normal, shear;
+      Number normal, shear, friction;
     };
 
     template <typename Number>
@@ -163,7 +174,13 @@ namespace rift
 
     /** By how much a trial is beyond the reach of the branch, Pa. */
     template <typename Number>
-    static Peaks<Number>
+    struct Beyond
+    {
+      Number normal, shear;
+    };
+
+    template <typename Number>
+    static Beyond<Number>
     beyond(const Trial<Number> &trial, const Peaks<Number> &peaks);
 
     /** Traction of a trial within the reach of the branch. */
@@ -279,19 +296,21 @@ namespace rift
                                 const CohesiveConstants<Number> &constants)
   {
     return {point.softening * constants.tensile_strength + point.normal_excess,
-            point.softening * point.cohesion + point.shear_excess};
+            point.softening * point.cohesion + point.shear_excess,
+            constants.friction_at(point.softening)};
   }
 
   template <typename Branch>
   template <typename Number>
-  typename MohrCoulomb<Branch>::template Peaks<Number>
+  typename MohrCoulomb<Branch>::template Beyond<Number>
   MohrCoulomb<Branch>::beyond(const Trial<Number> &trial,
                               const Peaks<Number> &peaks)
   {
     const Number zero{};
-    return {
-      max(trial.normal - Branch::reach * peaks.normal, zero),
-      max(trial.shear - (Branch::reach * peaks.shear + trial.friction), zero)};
+    return {max(trial.normal - Branch::reach * peaks.normal, zero),
+            max(trial.shear - (Branch::reach * peaks.shear +
+                               peaks.friction * trial.pressure),
+                zero)};
   }
 
   template <typename Branch>
@@ -349,9 +368,11 @@ namespace rift
     const Vector3<Number>           &jump,
     Mask                            &yields)
   {
-    const Trial<Number> trial(constants, jump);
-    const Peaks<Number> peaks = {constants.tensile_strength, cohesion};
-    const Peaks<Number> over  = beyond(trial, peaks);
+    const Trial<Number>  trial(constants, jump);
+    const Peaks<Number>  peaks = {constants.tensile_strength,
+                                  cohesion,
+                                  constants.tan_friction_angle};
+    const Beyond<Number> over  = beyond(trial, peaks);
     yields = (over.normal > Number{}) | (over.shear > Number{});
     return elastic_traction(trial, peaks);
   }
@@ -381,13 +402,13 @@ namespace rift
                               const CohesiveConstants<Number> &constants,
                               const Vector3<Number>           &jump) const
   {
-    const Number        zero{};
-    Vector3<Number>     former = point.traction;
-    const Trial<Number> trial(constants, jump - point.offset);
-    const Peaks<Number> before = peaks_of(point, constants);
-    const Peaks<Number> over   = beyond(trial, before);
-    const auto          yields = (over.normal > zero) | (over.shear > zero);
-    point.traction             = elastic_traction(trial, before);
+    const Number         zero{};
+    Vector3<Number>      former = point.traction;
+    const Trial<Number>  trial(constants, jump - point.offset);
+    const Peaks<Number>  before = peaks_of(point, constants);
+    const Beyond<Number> over   = beyond(trial, before);
+    const auto           yields = (over.normal > zero) | (over.shear > zero);
+    point.traction              = elastic_traction(trial, before);
     if (!any(yields))
       return {zero, zero};
     // Intact points have not been followed: they come from the peak.
@@ -395,8 +416,9 @@ namespace rift
       {
         const Number shear = sqrt(point.traction[1] * point.traction[1] +
                                   point.traction[2] * point.traction[2]);
-        const Number share =
-          min((before.shear + trial.friction) / nonzero(shear), zero + 1.);
+        const Number share = min(
+          (before.shear + before.friction * trial.pressure) / nonzero(shear),
+          zero + 1.);
         const Vector3<Number> peak = {{min(point.traction[0], before.normal),
                                        share * point.traction[1],
                                        share * point.traction[2]}};
@@ -410,12 +432,12 @@ namespace rift
     soften(point, constants, compliance * over.normal, compliance * over.shear);
 
     // The branch ends at the peaks that are left; the rest is irreversible.
-    const Peaks<Number> after      = peaks_of(point, constants);
-    const Peaks<Number> over_after = beyond(trial, after);
-    const Number        opening    = compliance * over_after.normal;
-    const Number        slip       = compliance * over_after.shear;
-    const Number        slip_share = slip / nonzero(trial.shear);
-    Vector3<Number>     flow       = {{opening, zero, zero}};
+    const Peaks<Number>  after      = peaks_of(point, constants);
+    const Beyond<Number> over_after = beyond(trial, after);
+    const Number         opening    = compliance * over_after.normal;
+    const Number         slip       = compliance * over_after.shear;
+    const Number         slip_share = slip / nonzero(trial.shear);
+    Vector3<Number>      flow       = {{opening, zero, zero}};
     for (unsigned int d = 1; d < dim; ++d)
       flow[d] = slip_share * trial.vector[d];
     point.offset += flow;
