@@ -285,7 +285,7 @@ namespace rift
         for (const std::string &doubt : material.doubts())
           result.push_back(doubt);
         if (parameters.cohesive.model == CohesiveParameters::Model::none &&
-            material.breakable && material.tensile_strength > 0)
+            material.breakable && material.tensile_strength.largest() > 0)
           result.push_back("Material " + material.name +
                            " has strengths, but nothing breaks without a "
                            "\"Cohesive model\" in subsection Fracture.");

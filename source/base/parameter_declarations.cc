@@ -57,6 +57,8 @@ namespace rift
       if (starts_with("[List"))
         {
           const std::size_t length = pattern.rfind("of length ") + 10;
+          if (pattern.compare(length, 5, "1...3") == 0)
+            return "one number, or three with commas between them";
           return pattern.substr(length, pattern.find("...", length) - length) +
                  " numbers with commas between them";
         }

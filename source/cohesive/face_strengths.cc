@@ -1,4 +1,5 @@
 #include <rift/cohesive/face_strengths.h>
+#include <rift/material/elasticity.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,25 +9,15 @@ namespace rift
 {
   namespace
   {
-    double
-    residual_friction_angle(const MaterialParameters &material)
+    FaceStrength
+    weaker_of(const FaceStrength &a, const FaceStrength &b)
     {
-      return material.residual_friction_angle.value_or(material.friction_angle);
-    }
-
-    std::optional<FaceStrength>
-    weaker_of(const MaterialParameters &a, const MaterialParameters &b)
-    {
-      if (!a.breakable || !b.breakable)
-        return {};
-      return FaceStrength{
-        std::min(a.tensile_strength, b.tensile_strength),
-        std::min(a.cohesion, b.cohesion),
-        std::tan(std::min(a.friction_angle, b.friction_angle)),
-        std::tan(
-          std::min(residual_friction_angle(a), residual_friction_angle(b))),
-        std::min(a.fracture_energy_1, b.fracture_energy_1),
-        std::min(a.fracture_energy_2, b.fracture_energy_2)};
+      return {std::min(a.tensile_strength, b.tensile_strength),
+              std::min(a.cohesion, b.cohesion),
+              std::min(a.tan_friction_angle, b.tan_friction_angle),
+              std::min(a.residual_friction, b.residual_friction),
+              std::min(a.fracture_energy_1, b.fracture_energy_1),
+              std::min(a.fracture_energy_2, b.fracture_energy_2)};
     }
 
     /** Scrambles the bits of a number (the finaliser of splitmix64). */
@@ -40,28 +31,46 @@ namespace rift
     }
   } // namespace
 
+  FaceStrength
+  strength_across(const MaterialParameters &material,
+                  const Vector3<double>    &normal)
+  {
+    const Vector3<double> n =
+      material_axes(material.axis_1, material.axis_2) * normal;
+    return {material.tensile_strength.at(n),
+            material.cohesion.at(n),
+            std::tan(material.friction_angle),
+            std::tan(material.residual_friction_angle.value_or(
+              material.friction_angle)),
+            material.fracture_energy_1.at(n),
+            material.fracture_energy_2.at(n)};
+  }
+
   FaceStrengths::FaceStrengths(const Topology                        &topology,
+                               const ReferenceCellData               &reference,
                                const std::vector<MaterialParameters> &materials,
                                const CohesiveParameters &parameters,
                                const Communicator       &communicator)
     : topology(topology)
-    , n_materials(materials.size())
+    , reference(reference)
+    , materials(materials)
   {
-    bool any_scatter = false;
+    constexpr Vector3<double> any         = {{1, 0, 0}};
+    bool                      any_scatter = false;
     for (const MaterialParameters &a : materials)
       {
         any_scatter |= a.weibull_modulus > 0;
         for (const MaterialParameters &b : materials)
-          pairs.push_back(weaker_of(a, b));
+          pairs.push_back(
+            weaker_of(strength_across(a, any), strength_across(b, any)));
       }
     if (any_scatter)
-      scatter(materials, parameters.seed);
+      scatter(parameters.seed);
     find_bounds(communicator);
   }
 
   void
-  FaceStrengths::scatter(const std::vector<MaterialParameters> &materials,
-                         const unsigned int                     seed)
+  FaceStrengths::scatter(const unsigned int seed)
   {
     factors.assign(topology.faces.size(), 1.);
     for (FaceIndex face = 0; face < topology.faces.size(); ++face)
@@ -94,24 +103,34 @@ namespace rift
     return std::pow(-std::log(u), 1 / modulus) / std::tgamma(1 + 1 / modulus);
   }
 
-  const std::optional<FaceStrength> &
-  FaceStrengths::of_materials(const FaceIndex face) const
-  {
-    const Face &f = topology.faces[face];
-    return pairs[topology.material(f.cells[0]) * n_materials +
-                 topology.material(f.cells[1])];
-  }
-
   bool
   FaceStrengths::is_breakable(const FaceIndex face) const
   {
-    return of_materials(face).has_value();
+    const Face &f = topology.faces[face];
+    return materials[topology.material(f.cells[0])].breakable &&
+           materials[topology.material(f.cells[1])].breakable;
+  }
+
+  FaceStrength
+  FaceStrengths::weaker_side(const FaceIndex face) const
+  {
+    const Face         &f = topology.faces[face];
+    const std::uint16_t a = topology.material(f.cells[0]);
+    const std::uint16_t b = topology.material(f.cells[1]);
+    if (!materials[a].has_directional_strength() &&
+        !materials[b].has_directional_strength())
+      return pairs[a * materials.size() + b];
+    const Vector3<double> area =
+      reference_area_vector(reference, f.cells[0], f.local_faces[0]);
+    const Vector3<double> normal = (1 / norm(area)) * area;
+    return weaker_of(strength_across(materials[a], normal),
+                     strength_across(materials[b], normal));
   }
 
   FaceStrength
   FaceStrengths::strength(const FaceIndex face) const
   {
-    FaceStrength result = *of_materials(face);
+    FaceStrength result = weaker_side(face);
     if (!factors.empty())
       {
         result.tensile_strength *= factors[face];
@@ -130,11 +149,12 @@ namespace rift
     // The least friction allows the most shear in compression.
     constexpr double largest = std::numeric_limits<double>::max();
     double           tan     = largest;
-    for (const auto &pair : pairs)
-      if (pair)
-        tan = std::min(tan, pair->tan_friction_angle);
+    for (const MaterialParameters &material : materials)
+      if (material.breakable)
+        tan = std::min(tan, std::tan(material.friction_angle));
     const double cos = 1 / std::sqrt(1 + tan * tan);
 
+    const std::size_t   n_materials = materials.size();
     std::vector<double> tensile_strengths(n_materials, largest);
     std::vector<double> cohesions(n_materials, largest);
     for (FaceIndex face = 0; face < topology.faces.size(); ++face)

@@ -174,8 +174,6 @@ namespace rift
                  "15, 16, 22, 23, ... with 4, 5, 6 for 23, 13, 12.");
       for (unsigned int i = 0; i < 3; ++i)
         check_wave_speed(material, kelvin[i][i], "Stiffness", refuse);
-
-      check_axes(material, refuse);
     }
 
     /** The groups, and that they leave a stiffness. */
@@ -217,7 +215,6 @@ namespace rift
           refuse(name,
                  "so many cracks leave P-waves of " + short_text(speed) +
                    " m/s; solids have 100 to 15000 m/s.");
-      check_axes(material, refuse);
     }
 
     /** Young's modulus, or the largest stiffness there is, Pa. */
@@ -233,37 +230,38 @@ namespace rift
     /** Strengths of solids are 1e-5 to 1e-1 of their moduli. */
     void
     check_unit(const MaterialParameters &material,
-               const double              strength,
+               const DirectionalValue   &strength,
                const std::string        &name,
                const Refuse             &refuse)
     {
-      const double modulus = typical_modulus(material);
-      if (strength > modulus)
+      const double modulus  = typical_modulus(material);
+      const double smallest = strength.smallest();
+      if (strength.largest() > modulus)
         refuse(name,
                "this is more than the modulus of elasticity, " +
                  short_text(modulus) +
                  " Pa; no rock, glass or metal is so strong. Is one of the two "
                  "in another "
                  "unit? rift uses Pa.");
-      if (strength > 0 && strength < smallest_strength * modulus)
+      if (smallest > 0 && smallest < smallest_strength * modulus)
         refuse(name,
-               "this is " + short_text(strength / modulus) +
+               "this is " + short_text(smallest / modulus) +
                  " of the modulus of elasticity; no rock, glass or metal is so "
                  "weak. Is it "
                  "in MPa? rift uses Pa: write " +
-                 short_text(1e6 * strength) + ".");
+                 short_text(1e6 * smallest) + ".");
     }
 
     void
     check_strength(const MaterialParameters &material, const Refuse &refuse)
     {
       for (const auto &[name, value] :
-           {std::make_pair("Viscosity", material.viscosity),
+           {std::make_pair("Viscosity", DirectionalValue(material.viscosity)),
             std::make_pair("Tensile strength", material.tensile_strength),
             std::make_pair("Cohesion", material.cohesion),
             std::make_pair("Fracture energy I", material.fracture_energy_1),
             std::make_pair("Fracture energy II", material.fracture_energy_2)})
-        if (!(value >= 0))
+        if (!(value.smallest() >= 0))
           refuse(name, "this cannot be negative.");
       check_unit(material,
                  material.tensile_strength,
@@ -314,6 +312,8 @@ namespace rift
       check_isotropic(*this, refuse);
     if (elasticity == Elasticity::microcracked)
       check_cracks(*this, refuse);
+    if (elasticity != Elasticity::isotropic || has_directional_strength())
+      check_axes(*this, refuse);
     check_strength(*this, refuse);
   }
 
@@ -324,9 +324,9 @@ namespace rift
     for (const auto &[entry, value] :
          {std::make_pair("Fracture energy I", fracture_energy_1),
           std::make_pair("Fracture energy II", fracture_energy_2)})
-      if (value > 0 && value < smallest_fracture_energy)
+      if (value.smallest() > 0 && value.smallest() < smallest_fracture_energy)
         result.push_back("Material " + name + "/" + entry + " = " +
-                         short_text(value) +
+                         short_text(value.smallest()) +
                          " is less than rock, glass and metal have. Is it in "
                          "N/mm or kJ/m^2? rift uses J/m^2.");
     return result;
@@ -343,7 +343,7 @@ namespace rift
           std::make_pair("Cohesion", cohesion),
           std::make_pair("Fracture energy I", fracture_energy_1),
           std::make_pair("Fracture energy II", fracture_energy_2)})
-      if (!(value > 0))
+      if (!(value.smallest() > 0))
         refuse(entry,
                "this must be greater than zero where cracks may run. Set it, "
                "or Breakable = false.");

@@ -75,6 +75,36 @@ namespace rift
       return angle * M_PI / 180;
     }
 
+    /** An entry that is the same in all directions, or not. */
+    void
+    declare_directional(ParameterHandler       &prm,
+                        const std::string      &name,
+                        const DirectionalValue &default_value,
+                        const std::string      &documentation)
+    {
+      prm.declare_entry(name,
+                        to_text(default_value.smallest()),
+                        Patterns::List(Patterns::Double(), 1, 3),
+                        documentation);
+    }
+
+    DirectionalValue
+    read_directional(const ParameterHandler &prm,
+                     const std::string      &section,
+                     const std::string      &name)
+    {
+      const std::vector<double> numbers = get_numbers(prm, name);
+      if (numbers.size() == 2)
+        throw ParameterError(section,
+                             name,
+                             "these are two numbers. Give one for all "
+                             "directions, or three: for planes across the "
+                             "material axes 1, 2 and 3.");
+      if (numbers.size() == 1)
+        return numbers[0];
+      return {numbers.at(0), numbers.at(1), numbers.at(2)};
+    }
+
     void
     declare_elasticity(ParameterHandler &prm)
     {
@@ -139,15 +169,18 @@ namespace rift
                         "true",
                         Patterns::Bool(),
                         "Whether cracks may run inside this material.");
-      declare_number(prm,
-                     "Tensile strength",
-                     defaults.tensile_strength,
-                     "A crack starts at this normal stress. Units: Pa.");
-      declare_number(prm,
-                     "Cohesion",
-                     defaults.cohesion,
-                     "A crack starts at this shear stress, where there is no "
-                     "normal stress. Units: Pa.");
+      declare_directional(prm,
+                          "Tensile strength",
+                          defaults.tensile_strength,
+                          "A crack starts at this normal stress. One number, "
+                          "or three: for planes across the material axes 1, 2 "
+                          "and 3. Units: Pa.");
+      declare_directional(prm,
+                          "Cohesion",
+                          defaults.cohesion,
+                          "A crack starts at this shear stress, where there is "
+                          "no normal stress. One number or three, as above. "
+                          "Units: Pa.");
       declare_number(prm,
                      "Friction angle",
                      defaults.friction_angle,
@@ -159,14 +192,16 @@ namespace rift
                         Patterns::Anything(),
                         "Angle to which friction falls while a face loses its "
                         "strength. Without it friction stays. Units: degrees.");
-      declare_number(prm,
-                     "Fracture energy I",
-                     defaults.fracture_energy_1,
-                     "Energy per area of crack, of opening. Units: J/m^2.");
-      declare_number(prm,
-                     "Fracture energy II",
-                     defaults.fracture_energy_2,
-                     "Energy per area of crack, of sliding. Units: J/m^2.");
+      declare_directional(prm,
+                          "Fracture energy I",
+                          defaults.fracture_energy_1,
+                          "Energy per area of crack, of opening. One number or "
+                          "three, as above. Units: J/m^2.");
+      declare_directional(prm,
+                          "Fracture energy II",
+                          defaults.fracture_energy_2,
+                          "Energy per area of crack, of sliding. One number or "
+                          "three, as above. Units: J/m^2.");
       declare_number(prm,
                      "Weibull modulus",
                      defaults.weibull_modulus,
@@ -243,14 +278,17 @@ namespace rift
                                         section_of(name),
                                         std::string("Velocity ") + "xyz"[d],
                                         scene);
-    result.tensile_strength = prm.get_double("Tensile strength");
-    result.cohesion         = prm.get_double("Cohesion");
+    const auto directional = [&](const std::string &entry) {
+      return read_directional(prm, section_of(name), entry);
+    };
+    result.tensile_strength = directional("Tensile strength");
+    result.cohesion         = directional("Cohesion");
     result.friction_angle   = prm.get_double("Friction angle") * M_PI / 180;
     result.residual_friction_angle =
       read_residual_friction(prm.get("Residual friction angle"),
                              section_of(name));
-    result.fracture_energy_1 = prm.get_double("Fracture energy I");
-    result.fracture_energy_2 = prm.get_double("Fracture energy II");
+    result.fracture_energy_1 = directional("Fracture energy I");
+    result.fracture_energy_2 = directional("Fracture energy II");
     result.weibull_modulus   = prm.get_double("Weibull modulus");
     prm.leave_subsection();
     return result;
@@ -277,7 +315,17 @@ namespace rift
     switch (elasticity)
       {
       case Elasticity::isotropic:
-        add({"Stiffness", "Axis 1", "Axis 2"}, "Elasticity", reason);
+        add({"Stiffness"}, "Elasticity", reason);
+        if (!breakable || !has_directional_strength())
+          result.push_back({section,
+                            {"Axis 1", "Axis 2"},
+                            {{section, "Elasticity"},
+                             {section, "Breakable"},
+                             {section, "Tensile strength"},
+                             {section, "Cohesion"},
+                             {section, "Fracture energy I"},
+                             {section, "Fracture energy II"}},
+                            reason});
         break;
       case Elasticity::anisotropic:
         reason = "on an anisotropic material";

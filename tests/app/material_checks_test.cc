@@ -156,6 +156,29 @@ TEST(MaterialChecks, Strength)
   EXPECT_EQ(problem(material), "");
 }
 
+TEST(MaterialChecks, StrengthByDirection)
+{
+  MaterialParameters material = granite();
+  material.tensile_strength   = {15e6, 10e6, 8e6};
+  EXPECT_EQ(problem(material), "");
+  material.axis_2 = {{2, 0, 0}};
+  EXPECT_EQ(problem(material), "Axis 2: this is parallel to Axis 1.");
+  material.axis_2            = {{0, 1, 0}};
+  material.fracture_energy_2 = {400, 0, 300};
+  EXPECT_EQ(problem(material),
+            "Fracture energy II: this must be greater than zero where cracks "
+            "may run. Set it, or Breakable = false.");
+  material.fracture_energy_2 = 400;
+  material.cohesion          = {30e6, 30e6, -1};
+  EXPECT_EQ(problem(material), "Cohesion: this cannot be negative.");
+  material.cohesion = {36.7, 30e6, 30e6};
+  EXPECT_EQ(problem(material).substr(0, 40),
+            "Cohesion: this is 9.039e-10 of the modul");
+  material.cohesion = {30e6, 41e9, 30e6};
+  EXPECT_EQ(problem(material).substr(0, 40),
+            "Cohesion: this is more than the modulus ");
+}
+
 TEST(MaterialChecks, StrengthInAnotherUnit)
 {
   MaterialParameters material = granite();
@@ -229,6 +252,11 @@ TEST(MaterialChecks, InertEntries)
     EXPECT_EQ(found, expected);
   };
   expect_inert({"Stiffness", "Axis 2", "Velocity y"});
+  material.cohesion = {1e6, 2e6, 3e6};
+  expect_inert({"Stiffness", "Velocity y"});
+  material.breakable = false;
+  expect_inert({"Stiffness", "Axis 2", "Cohesion", "Velocity y"});
+  material.breakable  = true;
   material.elasticity = Elasticity::anisotropic;
   material.breakable  = false;
   expect_inert({"Young's modulus", "Cohesion", "Velocity y"});

@@ -135,11 +135,12 @@ end
     EXPECT_EQ(granite.viscosity, 1e3);
     EXPECT_EQ(granite.initial_velocity, (Vector3<double>{{1, -2, 0.3}}));
     EXPECT_TRUE(granite.breakable);
-    EXPECT_EQ(granite.tensile_strength, 15e6);
-    EXPECT_EQ(granite.cohesion, 36.7e6);
+    EXPECT_EQ(granite.tensile_strength.smallest(), 15e6);
+    EXPECT_EQ(granite.cohesion.smallest(), 36.7e6);
     EXPECT_NEAR(granite.friction_angle, 0.872664625997165, 1e-15);
-    EXPECT_EQ(granite.fracture_energy_1, 400);
-    EXPECT_EQ(granite.fracture_energy_2, 401);
+    EXPECT_EQ(granite.fracture_energy_1.smallest(), 400);
+    EXPECT_EQ(granite.fracture_energy_2.smallest(), 401);
+    EXPECT_FALSE(granite.has_directional_strength());
     EXPECT_EQ(granite.weibull_modulus, 12.5);
     const MaterialParameters &steel = p.materials[1];
     EXPECT_EQ(steel.elasticity, MaterialParameters::Elasticity::anisotropic);
@@ -190,6 +191,18 @@ TEST_F(ParametersTest, EveryEntryArrives)
 {
   expect_full_scene(read_parameters(write("full.prm", full_scene)),
                     folder.string());
+}
+
+TEST_F(ParametersTest, StrengthsByDirection)
+{
+  std::string text = full_scene;
+  text.replace(text.find("= 401"), 5, "= 401, 300, 250.5");
+  const Parameters p      = read_parameters(write("directional.prm", text));
+  const auto      &energy = p.materials[0].fracture_energy_2;
+  EXPECT_EQ(energy.at({{1, 0, 0}}), 401);
+  EXPECT_EQ(energy.at({{0, 1, 0}}), 300);
+  EXPECT_EQ(energy.at({{0, 0, 1}}), 250.5);
+  EXPECT_TRUE(p.materials[0].has_directional_strength());
 }
 
 TEST_F(ParametersTest, UsedParametersGiveTheSameScene)

@@ -23,7 +23,7 @@ namespace rift::test
                             std::vector<bool>{true} :
                             std::vector<bool>()))
         , activity(body.topology)
-        , strengths(body.topology, {granite()}, {})
+        , strengths(body.topology, body.reference, {granite()}, {})
         , force(body.topology,
                 body.reference,
                 strengths,

@@ -47,8 +47,8 @@ namespace rift::test
       Activity      activity(body.topology);
       activity.wake_all(body.topology);
       if (is_armed)
-        force.watch(
-          FaceStrengths(body.topology, {material}, {}).stress_bounds());
+        force.watch(FaceStrengths(body.topology, body.reference, {material}, {})
+                      .stress_bounds());
 
       constexpr double time_step = 5e-8;
       std::size_t      n_hot     = 0;

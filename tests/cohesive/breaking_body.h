@@ -31,6 +31,13 @@ namespace rift::test
     return material;
   }
 
+  /** Of any plane in it. */
+  inline FaceStrength
+  granite_strength()
+  {
+    return strength_across(granite(), {{1, 0, 0}});
+  }
+
   inline std::vector<Elasticity>
   laws_of(const std::vector<MaterialParameters> &materials)
   {
@@ -67,7 +74,11 @@ namespace rift::test
       , state(discrete.state)
       , internal_force(topology, discrete.reference, laws_of(materials))
       , activity(topology)
-      , strengths(topology, materials, parameters, communicator)
+      , strengths(topology,
+                  discrete.reference,
+                  materials,
+                  parameters,
+                  communicator)
       , critical(find_critical_time_step(stiffness_factor))
       , insertion(topology, discrete.reference, internal_force, strengths)
       , force(topology,

@@ -14,11 +14,11 @@ namespace
   materials()
   {
     std::vector<MaterialParameters> result = {granite(), granite()};
-    result[1].tensile_strength *= .5;
-    result[1].weibull_modulus = 5;
+    result[1].tensile_strength             = 7.5e6;
+    result[1].weibull_modulus              = 5;
     // Enough for cells of a metre.
-    result[1].fracture_energy_1 *= 1e4;
-    result[1].fracture_energy_2 *= 1e4;
+    result[1].fracture_energy_1 = 4e6;
+    result[1].fracture_energy_2 = 6e6;
     return result;
   }
 

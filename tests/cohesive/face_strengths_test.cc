@@ -20,6 +20,25 @@ namespace
     return material;
   }
 
+  constexpr Vector3<double> tensile    = {{15e6, 10e6, 8e6}};
+  constexpr Vector3<double> cohesions  = {{40e6, 35e6, 30e6}};
+  constexpr Vector3<double> energies_1 = {{100, 75, 50}};
+  constexpr Vector3<double> energies_2 = {{200, 120, 100}};
+
+  /** In slanted axes. */
+  MaterialParameters
+  directional_granite()
+  {
+    MaterialParameters material = granite();
+    material.tensile_strength   = {tensile[0], tensile[1], tensile[2]};
+    material.cohesion           = {cohesions[0], cohesions[1], cohesions[2]};
+    material.fracture_energy_1  = {energies_1[0], energies_1[1], energies_1[2]};
+    material.fracture_energy_2  = {energies_2[0], energies_2[1], energies_2[2]};
+    material.axis_1             = {{1, .5, -.25}};
+    material.axis_2             = {{0, 3, 1}};
+    return material;
+  }
+
   /** A box whose right half is of material 1. */
   Body
   two_halves(const unsigned int n)
@@ -51,17 +70,22 @@ namespace
   {
     CohesiveParameters parameters;
     parameters.seed = seed;
-    const FaceStrengths strengths(topology,
+    const ReferenceCellData unused;
+    const FaceStrengths     strengths(topology,
+                                  unused,
                                   {scattered_granite(modulus)},
                                   parameters);
-    std::vector<double> result;
+    std::vector<double>     result;
     for (FaceIndex face = 0; face < topology.faces.size(); ++face)
       {
         const FaceStrength s = strengths.strength(face);
-        result.push_back(s.tensile_strength / granite().tensile_strength);
-        EXPECT_NEAR(s.cohesion / granite().cohesion, result.back(), 1e-14);
-        EXPECT_EQ(s.fracture_energy_1, granite().fracture_energy_1);
-        EXPECT_EQ(s.fracture_energy_2, granite().fracture_energy_2);
+        result.push_back(s.tensile_strength /
+                         granite_strength().tensile_strength);
+        EXPECT_NEAR(s.cohesion / granite_strength().cohesion,
+                    result.back(),
+                    1e-14);
+        EXPECT_EQ(s.fracture_energy_1, granite_strength().fracture_energy_1);
+        EXPECT_EQ(s.fracture_energy_2, granite_strength().fracture_energy_2);
       }
     return result;
   }
@@ -77,8 +101,8 @@ TEST(FaceStrengths, InterfaceTakesTheWeaker)
 {
   const DiscreteBody body = discretize(two_halves(4), {1., 1.});
   const std::vector<MaterialParameters> materials = {granite(), other_rock()};
-  const FaceStrengths                   strengths(body.topology, materials, {});
-  unsigned int                          n_faces[3] = {0, 0, 0};
+  const FaceStrengths strengths(body.topology, body.reference, materials, {});
+  unsigned int        n_faces[3] = {0, 0, 0};
   for (FaceIndex face = 0; face < body.topology.faces.size(); ++face)
     {
       const Face        &f = body.topology.faces[face];
@@ -97,10 +121,11 @@ TEST(FaceStrengths, InterfaceTakesTheWeaker)
         }
       else
         {
-          const MaterialParameters &m = materials[pair / 2];
+          const FaceStrength m =
+            strength_across(materials[pair / 2], {{0, 1, 0}});
           EXPECT_EQ(s.tensile_strength, m.tensile_strength);
           EXPECT_EQ(s.cohesion, m.cohesion);
-          EXPECT_NEAR(s.tan_friction_angle, std::tan(m.friction_angle), 1e-15);
+          EXPECT_EQ(s.tan_friction_angle, m.tan_friction_angle);
           EXPECT_EQ(s.fracture_energy_1, m.fracture_energy_1);
           EXPECT_EQ(s.fracture_energy_2, m.fracture_energy_2);
         }
@@ -119,7 +144,10 @@ TEST(FaceStrengths, BoundsLieBelowAllFaces)
     {
       auto first            = granite();
       first.weibull_modulus = 3;
-      const FaceStrengths strengths(body.topology, {first, second}, {});
+      const FaceStrengths strengths(body.topology,
+                                    body.reference,
+                                    {first, second},
+                                    {});
       const auto          bounds = strengths.stress_bounds();
       ASSERT_EQ(bounds.size(), 2u);
       EXPECT_EQ(bounds[1].has_value(), second.breakable);
@@ -136,6 +164,112 @@ TEST(FaceStrengths, BoundsLieBelowAllFaces)
             EXPECT_LE(bound->tan_friction_angle, s.tan_friction_angle);
           }
     }
+}
+
+TEST(StrengthAcross, IsThatOfEachAxis)
+{
+  const MaterialParameters material = directional_granite();
+  const Matrix3<double> axes = material_axes(material.axis_1, material.axis_2);
+  for (unsigned int i = 0; i < 3; ++i)
+    for (const double sign : {1., -1.})
+      {
+        const FaceStrength s = strength_across(material, sign * axes[i]);
+        EXPECT_NEAR(s.tensile_strength / tensile[i], 1, 1e-15);
+        EXPECT_NEAR(s.cohesion / cohesions[i], 1, 1e-15);
+        EXPECT_NEAR(s.fracture_energy_1 / energies_1[i], 1, 1e-15);
+        EXPECT_NEAR(s.fracture_energy_2 / energies_2[i], 1, 1e-15);
+        EXPECT_EQ(s.tan_friction_angle, granite_strength().tan_friction_angle);
+      }
+}
+
+TEST(StrengthAcross, BetweenTheAxes)
+{
+  const MaterialParameters material = directional_granite();
+  const Matrix3<double> axes = material_axes(material.axis_1, material.axis_2);
+  // (1, 1, 1) in material axes: the mean of the three.
+  const FaceStrength mean =
+    strength_across(material,
+                    std::sqrt(1. / 3) * (axes[0] + axes[1] + axes[2]));
+  EXPECT_NEAR(mean.tensile_strength, 11e6, 1e-8);
+  EXPECT_NEAR(mean.cohesion, 35e6, 1e-7);
+  EXPECT_NEAR(mean.fracture_energy_1, 75, 1e-12);
+  EXPECT_NEAR(mean.fracture_energy_2, 140, 1e-12);
+  // 30 degrees from axis 1 towards axis 3.
+  const FaceStrength slanted =
+    strength_across(material, std::sqrt(.75) * axes[0] + .5 * axes[2]);
+  EXPECT_NEAR(slanted.tensile_strength, 13.25e6, 1e-8);
+  EXPECT_NEAR(slanted.cohesion, 37.5e6, 1e-7);
+  EXPECT_NEAR(slanted.fracture_energy_1, 87.5, 1e-12);
+  EXPECT_NEAR(slanted.fracture_energy_2, 175, 1e-12);
+}
+
+TEST(StrengthAcross, EqualValuesAreIsotropicToTheLastBit)
+{
+  MaterialParameters material = granite();
+  const double       strength = 15e6 / 7;
+  material.tensile_strength   = {strength, strength, strength};
+  material.axis_1             = {{1, 2, 3}};
+  EXPECT_FALSE(material.has_directional_strength());
+  std::mt19937                           random(1);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (unsigned int sample = 0; sample < 100; ++sample)
+    {
+      const Vector3<double> n = {{number(random), number(random), .1}};
+      EXPECT_EQ(strength_across(material, (1 / norm(n)) * n).tensile_strength,
+                strength);
+    }
+}
+
+// With normals from the vertices; between the materials, which have axes and
+// values of their own, the weaker one.
+TEST(FaceStrengths, FollowTheNormalsOfFaces)
+{
+  Body         shape = make_box({4, 4, 4}, 1, .2);
+  std::mt19937 random(1);
+  for (LocalCell &cell : shape.cells)
+    cell.material = random() % 2;
+  const DiscreteBody body                         = discretize(shape, {1., 1.});
+  MaterialParameters other                        = directional_granite();
+  other.tensile_strength                          = {6e6, 12e6, 15e6};
+  other.axis_1                                    = {{0, 0, 2}};
+  const std::vector<MaterialParameters> materials = {directional_granite(),
+                                                     other};
+  const FaceStrengths strengths(body.topology, body.reference, materials, {});
+  const auto          bounds     = strengths.stress_bounds();
+  unsigned int        n_first[2] = {0, 0};
+  for (FaceIndex face = 0; face < body.topology.faces.size(); ++face)
+    {
+      const Face     &f = body.topology.faces[face];
+      Vector3<double> x[3];
+      for (unsigned int c = 0; c < 3; ++c)
+        x[c] =
+          body.state
+            .reference[body.topology.node(f.cells[0],
+                                          face_corners[f.local_faces[0]][c])]
+            .vector();
+      Vector3<double> normal = cross(x[1] - x[0], x[2] - x[0]);
+      normal                 = (1 / norm(normal)) * normal;
+      double weakest         = 1e9;
+      for (const CellIndex cell : f.cells)
+        weakest = std::min(
+          weakest,
+          strength_across(materials[body.topology.material(cell)], normal)
+            .tensile_strength);
+      const FaceStrength s = strengths.strength(face);
+      EXPECT_NEAR(s.tensile_strength / weakest, 1, 1e-13);
+      for (const CellIndex cell : f.cells)
+        {
+          const auto &bound = bounds[body.topology.material(cell)];
+          EXPECT_LT(bound->tensile_strength, s.tensile_strength);
+          EXPECT_LT(bound->cohesion, s.cohesion);
+        }
+      if (body.topology.material(f.cells[0]) !=
+          body.topology.material(f.cells[1]))
+        ++n_first[weakest ==
+                  strength_across(materials[0], normal).tensile_strength];
+    }
+  EXPECT_GT(n_first[0], 50u);
+  EXPECT_GT(n_first[1], 50u);
 }
 
 TEST(FaceStrengths, NothingScattersWithoutModulus)

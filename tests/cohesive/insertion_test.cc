@@ -184,19 +184,18 @@ namespace
 
 TEST(Insertion, TensionCutOff)
 {
-  const auto m = granite();
+  const auto m = granite_strength();
   expect_threshold(m.tensile_strength, 0);
   expect_threshold(m.tensile_strength, .9 * m.cohesion);
 }
 
 TEST(Insertion, CohesionInTensionAndFrictionInCompression)
 {
-  const auto m = granite();
+  const auto m = granite_strength();
   expect_threshold(0, m.cohesion);
   expect_threshold(.5 * m.tensile_strength, m.cohesion);
   const double pressure = 20e6;
-  expect_threshold(-pressure,
-                   m.cohesion + std::tan(m.friction_angle) * pressure);
+  expect_threshold(-pressure, m.cohesion + m.tan_friction_angle * pressure);
   expect_found(-pressure, 0, false);
   expect_found(-10 * pressure, 0, false);
 }

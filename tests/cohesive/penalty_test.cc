@@ -22,7 +22,7 @@ namespace
     IntrinsicBox(const Penalty &penalty, const Body &cells)
       : body(discretize(cells, {2641}, {true}))
       , activity(body.topology)
-      , strengths(body.topology, {strong_granite()}, {})
+      , strengths(body.topology, body.reference, {strong_granite()}, {})
       , slopes(body.topology,
                body.reference,
                body.state,

@@ -17,10 +17,11 @@ namespace
 
   struct CutBar
   {
-    explicit CutBar(const double       stiffness_factor = .25,
-                    const unsigned int length           = 2,
-                    const Vector      &strain           = {{0, 0, 0}})
-      : body(make_box({length, 2, 2}, edge), {granite()}, stiffness_factor)
+    explicit CutBar(const double              stiffness_factor = .25,
+                    const unsigned int        length           = 2,
+                    const Vector             &strain           = {{0, 0, 0}},
+                    const MaterialParameters &material         = granite())
+      : body(make_box({length, 2, 2}, edge), {material}, stiffness_factor)
     {
       // Before the cut, so that there is something between the halves.
       for (NodeIndex i = 0; i < body.state.n_nodes(); ++i)
@@ -81,15 +82,15 @@ namespace
   double
   full_opening()
   {
-    return granite().fracture_energy_1 /
-           (Softening::integral * granite().tensile_strength);
+    return granite_strength().fracture_energy_1 /
+           (Softening::integral * granite_strength().tensile_strength);
   }
 
   double
   full_slip()
   {
-    return granite().fracture_energy_2 /
-           (Softening::integral * granite().cohesion);
+    return granite_strength().fracture_energy_2 /
+           (Softening::integral * granite_strength().cohesion);
   }
 
   void
@@ -115,8 +116,35 @@ TEST(Separation, OpeningUsesUpTheFractureEnergyOfTheArea)
   CutBar bar;
   expect_separation(bar,
                     {{1.1 * full_opening(), 0, 0}},
-                    granite().fracture_energy_1,
+                    granite_strength().fracture_energy_1,
                     5000);
+}
+
+// Axis 1, 2 or 3 of the material along the bar: a cut across it takes what is
+// given for planes across that axis.
+TEST(Separation, FractureEnergyByDirection)
+{
+  const Vector       energies_1 = {{400, 300, 200}};
+  const Vector       energies_2 = {{500, 900, 700}};
+  MaterialParameters material   = granite();
+  material.fracture_energy_1    = {energies_1[0], energies_1[1], energies_1[2]};
+  material.fracture_energy_2    = {energies_2[0], energies_2[1], energies_2[2]};
+  for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      material.axis_1 = material.axis_2 = {{0, 0, 0}};
+      material.axis_1[(3 - axis) % 3]   = 1;
+      material.axis_2[(4 - axis) % 3]   = 1;
+      CutBar opening(.25, 2, {{0, 0, 0}}, material);
+      expect_separation(opening,
+                        {{1.1 * full_opening(), 0, 0}},
+                        energies_1[axis],
+                        5000);
+      CutBar sliding(.25, 2, {{0, 0, 0}}, material);
+      expect_separation(sliding,
+                        {{0, 2 * full_slip(), 0}},
+                        energies_2[axis],
+                        5000);
+    }
 }
 
 TEST(Separation, ShearingUsesUpTheFractureEnergyOfTheArea)
@@ -124,7 +152,7 @@ TEST(Separation, ShearingUsesUpTheFractureEnergyOfTheArea)
   CutBar bar;
   expect_separation(bar,
                     {{0, .6 * 1.3 * full_slip(), -.8 * 1.3 * full_slip()}},
-                    granite().fracture_energy_2,
+                    granite_strength().fracture_energy_2,
                     5000);
 }
 
@@ -139,8 +167,9 @@ TEST(Separation, MixedModeHasTheClosedForm)
                         {{1.01 * full_opening() * std::cos(angle),
                           0,
                           1.01 * full_slip() * std::sin(angle)}},
-                        granite().fracture_energy_1 * std::cos(angle) +
-                          granite().fracture_energy_2 * std::sin(angle),
+                        granite_strength().fracture_energy_1 * std::cos(angle) +
+                          granite_strength().fracture_energy_2 *
+                            std::sin(angle),
                         50000);
     }
 }
@@ -157,7 +186,7 @@ TEST(Separation, SlidingUnderPressureUsesUpFractureEnergyAndFriction)
       CutBar       bar(.25,
                  2,
                  {{-pressure / (lambda + 2 * mu),
-                         (granite().cohesion + slope * pressure) / mu,
+                         (granite_strength().cohesion + slope * pressure) / mu,
                          0}});
       bar.body.sum_forces();
       const double         slip  = 1.3 * full_slip();
@@ -168,7 +197,7 @@ TEST(Separation, SlidingUnderPressureUsesUpFractureEnergyAndFriction)
       EXPECT_GT(force[0], pressure * section);
       // The free sides make stresses uneven: a few percent.
       EXPECT_NEAR(end.fracture.value() /
-                    (granite().fracture_energy_2 * section),
+                    (granite_strength().fracture_energy_2 * section),
                   1,
                   .04);
       EXPECT_NEAR(end.friction.value() / (slope * force[0] * slip), 1, .02);
@@ -206,8 +235,8 @@ TEST(Separation, LedgerOfABreakingBarCloses)
       EXPECT_LT(residuals[run], 2e-3);
       // Mostly mode I; shear of the end faces takes part.
       EXPECT_NEAR(ledger.energies().fracture,
-                  granite().fracture_energy_1 * section,
-                  .05 * granite().fracture_energy_1 * section);
+                  granite_strength().fracture_energy_1 * section,
+                  .05 * granite_strength().fracture_energy_1 * section);
     }
   RecordProperty("residual", std::to_string(residuals[0]));
   EXPECT_LT(residuals[1], .4 * residuals[0]);

@@ -214,7 +214,7 @@ namespace
   {
     const Outcome   outcome  = shake(shape, reach, 2);
     const Energies &energies = outcome.ledger.energies();
-    const auto      material = granite();
+    const auto      strength = granite_strength();
     EXPECT_LT(outcome.ledger.largest_relative_residual(), tolerance);
 
     // The motion is the same all the time: so must be the energies.
@@ -225,7 +225,7 @@ namespace
     EXPECT_LT(
       energies.fracture,
       1.01 * outcome.area *
-        std::hypot(material.fracture_energy_1, material.fracture_energy_2));
+        std::hypot(strength.fracture_energy_1, strength.fracture_energy_2));
     EXPECT_GE(energies.friction, 0);
     return outcome;
   }

@@ -108,7 +108,10 @@ namespace
   Solution
   fracture(DiscreteBody &body)
   {
-    const FaceStrengths        strengths(body.topology, two_granites(), {});
+    const FaceStrengths        strengths(body.topology,
+                                  body.reference,
+                                  two_granites(),
+                                  {});
     CohesiveForce              force(body.topology,
                         body.reference,
                         strengths,

@@ -112,7 +112,7 @@ namespace rift
                const CohesiveParameters              &parameters,
                const FaceSlope                       &slope,
                const Communicator                    &communicator)
-        : strengths(topology, materials, parameters, communicator)
+        : strengths(topology, reference, materials, parameters, communicator)
         , force(topology, reference, strengths, parameters.model, slope)
       {
       }

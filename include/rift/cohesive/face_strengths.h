@@ -4,6 +4,7 @@
 #include <rift/base/communicator.h>
 #include <rift/cohesive/cohesive_parameters.h>
 #include <rift/cohesive/laws/mohr_coulomb.h>
+#include <rift/discretization/reference_cell_data.h>
 #include <rift/material/material_parameters.h>
 #include <rift/mesh/topology.h>
 #include <rift/solid/internal_force.h>
@@ -14,9 +15,18 @@
 namespace rift
 {
   /**
-   * The strength of every interior face. Between two materials the weaker
-   * value of each property counts; where one of them is not breakable, the
-   * face never breaks.
+   * Strength of a plane inside a material, without scatter.
+   *
+   * @param normal of unit length, in the frame of the mesh.
+   */
+  FaceStrength
+  strength_across(const MaterialParameters &material,
+                  const Vector3<double>    &normal);
+
+  /**
+   * The strength of every interior face, by its normal in the undeformed body.
+   * Between two materials the weaker value of each property counts; where one
+   * of them is not breakable, the face never breaks.
    *
    * With a Weibull modulus m both strengths of a face are scaled by a random
    * factor of mean 1, w = (-ln U)^(1/m) / Gamma(1 + 1/m). U depends only on
@@ -28,6 +38,7 @@ namespace rift
   public:
     /** Collective. */
     FaceStrengths(const Topology                        &topology,
+                  const ReferenceCellData               &reference,
                   const std::vector<MaterialParameters> &materials,
                   const CohesiveParameters              &parameters,
                   const Communicator &communicator = Communicator());
@@ -49,13 +60,12 @@ namespace rift
     }
 
   private:
-    /** Of the material pair of a face, without scatter. */
-    const std::optional<FaceStrength> &
-    of_materials(FaceIndex face) const;
+    /** Without scatter. */
+    FaceStrength
+    weaker_side(FaceIndex face) const;
 
     void
-    scatter(const std::vector<MaterialParameters> &materials,
-            unsigned int                           seed);
+    scatter(unsigned int seed);
 
     void
     find_bounds(const Communicator &communicator);
@@ -63,11 +73,13 @@ namespace rift
     double
     random_factor(FaceIndex face, double weibull_modulus, unsigned int seed);
 
-    const Topology &topology;
-    std::size_t     n_materials;
+    const Topology                       &topology;
+    const ReferenceCellData              &reference;
+    const std::vector<MaterialParameters> materials;
 
-    /** For each pair of materials. */
-    std::vector<std::optional<FaceStrength>> pairs;
+    /** For each pair of materials, across any normal: what counts where
+     * strengths do not depend on the direction. */
+    std::vector<FaceStrength> pairs;
 
     /** For each face; empty where nothing scatters. */
     std::vector<double> factors;

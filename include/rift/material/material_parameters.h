@@ -3,6 +3,7 @@
 
 #include <rift/base/parameter_file.h>
 #include <rift/base/vector3.h>
+#include <rift/material/directional_value.h>
 #include <rift/material/microcracks.h>
 
 #include <array>
@@ -74,17 +75,17 @@ namespace rift
     bool breakable = true;
 
     /** Tensile strength and cohesion, Pa; friction angle, rad. */
-    double tensile_strength = 0;
-    double cohesion         = 0;
-    double friction_angle   = 0;
+    DirectionalValue tensile_strength = 0;
+    DirectionalValue cohesion         = 0;
+    double           friction_angle   = 0;
 
     /** Of a face that has lost its strength, rad; without it the friction angle
      * stays. */
     std::optional<double> residual_friction_angle;
 
     /** Fracture energies of modes I and II, J/m^2. */
-    double fracture_energy_1 = 0;
-    double fracture_energy_2 = 0;
+    DirectionalValue fracture_energy_1 = 0;
+    DirectionalValue fracture_energy_2 = 0;
 
     /** Weibull modulus of the scatter of both strengths; 0: no scatter. */
     double weibull_modulus = 0;
@@ -103,6 +104,15 @@ namespace rift
     is_rigid() const
     {
       return elasticity == Elasticity::rigid;
+    }
+
+    /** Whether a strength or fracture energy depends on the direction. */
+    bool
+    has_directional_strength() const
+    {
+      return !(tensile_strength.is_isotropic() && cohesion.is_isotropic() &&
+               fracture_energy_1.is_isotropic() &&
+               fracture_energy_2.is_isotropic());
     }
 
     /**
