@@ -1,4 +1,5 @@
 #include <rift/base/exceptions.h>
+#include <rift/base/parameter_text.h>
 #include <rift/mesh/face_table.h>
 #include <rift/mesh/gmsh_model.h>
 
@@ -199,7 +200,7 @@ namespace rift
                   vertices[v] = {{x[3 * i], x[3 * i + 1], x[3 * i + 2]}};
                   found[v]    = true;
                 }
-              else if (dimension == 3)
+              else if (dimension == 3 && ends_with(source, ".msh"))
                 throw InputError(fmt::format(
                   "{}: orphan node {} at ({:g}, {:g}, {:g}) lies in a volume, "
                   "but no cell uses it. Remove it, or mesh again.",

@@ -1,4 +1,5 @@
 #include <rift/base/exceptions.h>
+#include <rift/base/parameter_text.h>
 #include <rift/mesh/child_process.h>
 #include <rift/mesh/geo_script.h>
 #include <rift/mesh/gmsh_model.h>
@@ -20,13 +21,6 @@ namespace rift
 {
   namespace
   {
-    bool
-    ends_with(const std::string &text, const std::string &end)
-    {
-      return text.size() >= end.size() &&
-             text.compare(text.size() - end.size(), end.size(), end) == 0;
-    }
-
     // Runs `make_model` and takes the mesh out of the model that it leaves in
     // gmsh, all of it in a process of its own.
     MeshData

@@ -221,6 +221,12 @@ TEST_F(BadMesh, OrphanInVolume)
   EXPECT_EQ(message(msh4),
             "a.msh: orphan node 5 at (0.25, 0.5, 3) lies in a volume, but no "
             "cell uses it. Remove it, or mesh again.");
+
+  // gmsh's mesher leaves such nodes behind.
+  write_file(directory / "orphan.msh", msh4);
+  write_file(directory / "a.geo", "Merge \"orphan.msh\";\n");
+  parameters.file = directory / "a.geo";
+  EXPECT_EQ(read_mesh(parameters).vertices.size(), 4U);
 }
 
 // What only check_mesh() sees

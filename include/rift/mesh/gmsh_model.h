@@ -12,10 +12,11 @@ namespace rift
    *
    * The vertices are the nodes that tetrahedra use, in ascending order of
    * gmsh's tags. Other nodes are left out if gmsh has them on a point, curve
-   * or surface (centres of arcs and other aids of construction); in a volume
-   * they are an error. Corners are swapped where that makes the volume of a
-   * cell positive. A triangle of a named surface becomes a boundary face or,
-   * between two cells, an internal face of the cell of smaller index.
+   * or surface (centres of arcs and other aids of construction). In a volume
+   * gmsh's mesher leaves some behind; in a `.msh` they are an error. Corners
+   * are swapped where that makes the volume of a cell positive. A triangle of
+   * a named surface becomes a boundary face or, between two cells, an internal
+   * face of the cell of smaller index.
    *
    * @throws InputError if there are no cells, for other volume elements than
    * 4-node tetrahedra, for volumes and surface elements in none or two
