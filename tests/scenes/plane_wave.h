@@ -1,6 +1,8 @@
 #ifndef rift_tests_scenes_plane_wave_h
 #define rift_tests_scenes_plane_wave_h
 
+#include <deal.II/base/mpi.h>
+
 #include <rift/app/simulation.h>
 #include <rift/base/floating_point.h>
 
@@ -94,21 +96,25 @@ namespace rift::test
       double       slowness = 1 / exact_speed, error = 0;
       for (unsigned int iteration = 0; iteration < 10; ++iteration)
         {
-          double difference = 0, norm = 0, slope = 0, curvature = 0;
+          // Difference and norm, slope and curvature.
+          std::vector<double> sums(4, 0.);
           for (std::size_t i = 0; i < state.n_nodes(); ++i)
             {
+              if (!simulation.topology().owns_node(i))
+                continue;
               const double x = state.reference[i][0];
               const double t = state.time - slowness * x;
               const double d = state.displacement[i][direction] - source(t);
               const double g = -x * source_velocity(t);
-              difference += state.mass[i] * d * d;
-              norm += state.mass[i] * source(t) * source(t);
-              slope += state.mass[i] * d * g;
-              curvature += state.mass[i] * g * g;
+              sums[0] += state.mass[i] * d * d;
+              sums[1] += state.mass[i] * source(t) * source(t);
+              sums[2] += state.mass[i] * d * g;
+              sums[3] += state.mass[i] * g * g;
             }
+          dealii::Utilities::MPI::sum(sums, MPI_COMM_WORLD, sums);
           if (iteration == 0)
-            error = std::sqrt(difference / norm);
-          slowness += slope / curvature;
+            error = std::sqrt(sums[0] / sums[1]);
+          slowness += sums[2] / sums[3];
         }
       return {error, 1 / slowness};
     }

@@ -45,7 +45,12 @@ namespace rift::test
   struct ElasticBody
   {
     ElasticBody(const Body &body, const MaterialParameters &material)
-      : discrete(discretize(body, {material.density}))
+      : ElasticBody(discretize(body, {material.density}), material)
+    {
+    }
+
+    ElasticBody(DiscreteBody body, const MaterialParameters &material)
+      : discrete(std::move(body))
       , topology(discrete.topology)
       , state(discrete.state)
       , material(material)
