@@ -183,7 +183,8 @@ namespace rift
         fracture->insertion.emplace(topology,
                                     reference,
                                     internal_force,
-                                    fracture->strengths);
+                                    fracture->strengths,
+                                    cohesive.least_share);
         internal_force.watch(fracture->strengths.stress_bounds());
       }
     else

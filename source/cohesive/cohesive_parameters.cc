@@ -68,6 +68,16 @@ namespace rift
                    "cell may grow by three times this factor. Elastic branches "
                    "and penalties against overlap are as stiff as that allows; "
                    "the time step falls with 1/sqrt(1 + 3 factor). Units: 1.");
+    declare_number(
+      prm,
+      "Least share of strength",
+      defaults.least_share,
+      "A face also breaks when the stress beside it reaches the "
+      "strength on some other plane, if the face itself bears at "
+      "least this share of its own strength. With 1 a face breaks "
+      "by itself alone, and meshes are stronger than the material, "
+      "in compression by more than twice; 0.3 has given the "
+      "strength of Mohr and Coulomb. Units: 1.");
     prm.declare_entry("Cohesive penalty",
                       to_text(defaults.penalty.value) + " E",
                       Patterns::Anything(),
@@ -97,6 +107,7 @@ namespace rift
                                       model_names.begin());
     result.penalty          = read_penalty(prm.get("Cohesive penalty"));
     result.stiffness_factor = prm.get_double("Stiffness factor");
+    result.least_share      = prm.get_double("Least share of strength");
     result.seed = static_cast<unsigned int>(prm.get_integer("Seed"));
     prm.leave_subsection();
     return result;
@@ -112,6 +123,10 @@ namespace rift
                            "Stiffness factor",
                            "this must be " + to_text(smallest_factor) +
                              " or more.");
+    if (!(least_share >= 0 && least_share <= 1))
+      throw ParameterError(section,
+                           "Least share of strength",
+                           "this must be between 0 and 1.");
     if (!(penalty.value > 0 && std::isfinite(penalty.value)))
       throw ParameterError(section,
                            "Cohesive penalty",
@@ -138,7 +153,10 @@ namespace rift
   {
     std::vector<std::string> names;
     if (model != Model::extrinsic)
-      names.push_back("Stiffness factor");
+      {
+        names.push_back("Stiffness factor");
+        names.push_back("Least share of strength");
+      }
     if (model != Model::intrinsic)
       names.push_back("Cohesive penalty");
     if (model == Model::none)

@@ -1,4 +1,5 @@
 #include <rift/cohesive/insertion.h>
+#include <rift/cohesive/weakest_plane.h>
 #include <rift/mesh/mesh_data.h>
 #include <rift/solid/cell_kernel.h>
 
@@ -10,12 +11,14 @@ namespace rift
   Insertion::Insertion(const Topology          &topology,
                        const ReferenceCellData &reference,
                        const InternalForce     &internal_force,
-                       const FaceStrengths     &strengths)
+                       const FaceStrengths     &strengths,
+                       const double             least_share)
     : topology(topology)
     , reference(reference)
     , internal_force(internal_force)
     , strengths(strengths)
     , bounds(strengths.stress_bounds())
+    , least_share(least_share)
     , stress_position(topology.n_batches(), invalid_index)
   {
   }
@@ -39,7 +42,7 @@ namespace rift
             if (((near[f] >> (cell % batch_size)) & 1) &&
                 face != invalid_index &&
                 topology.face_states[face] == FaceState::intact &&
-                strengths.is_breakable(face) && is_at_strength(state, face))
+                strengths.is_breakable(face) && breaks(state, face))
               faces.push_back(face);
           }
       }
@@ -84,10 +87,12 @@ namespace rift
         // Friction counts in tension, too: only then is the bound convex, so
         // that the mean of two cells within it is within it.
         const Simd shear_limit =
-          bound.cohesion * square - bound.tan_friction_angle * normal;
+          least_share *
+          (bound.cohesion * square - bound.tan_friction_angle * normal);
         const SimdMask mask =
-          (normal >= bound.tensile_strength * square) | (shear_limit <= 0.) |
-          (shear_squared >= shear_limit * shear_limit) | is_large;
+          (normal >= least_share * bound.tensile_strength * square) |
+          (shear_limit <= 0.) | (shear_squared >= shear_limit * shear_limit) |
+          is_large;
         for (unsigned int lane = 0; lane < batch_size; ++lane)
           result[f] |= (mask[lane] & 1) << lane;
       }
@@ -118,14 +123,15 @@ namespace rift
   }
 
   bool
-  Insertion::is_at_strength(const State &state, const FaceIndex face)
+  Insertion::breaks(const State &state, const FaceIndex face)
   {
     const Face           &f = topology.faces[face];
     const Vector3<double> area =
       reference_area_vector(reference, f.cells[0], f.local_faces[0]);
+    const std::array<Matrix3<double>, 2> stresses = {
+      {stress(state, f.cells[0]), stress(state, f.cells[1])}};
     const Vector3<double> traction =
-      (.5 / norm(area)) *
-      (stress(state, f.cells[0]) * area + stress(state, f.cells[1]) * area);
+      (.5 / norm(area)) * (stresses[0] * area + stresses[1] * area);
 
     std::array<Vector3<double>, 3> x;
     for (unsigned int c = 0; c < 3; ++c)
@@ -137,8 +143,18 @@ namespace rift
     const double       normal_stress = dot(traction, normal);
     const double       shear_stress  = norm(traction - normal_stress * normal);
     const FaceStrength strength      = strengths.strength(face);
-    return normal_stress >= strength.tensile_strength ||
-           shear_stress >= strength.cohesion - std::min(normal_stress, 0.) *
-                                                 strength.tan_friction_angle;
+    const double       shear_strength =
+      strength.cohesion -
+      std::min(normal_stress, 0.) * strength.tan_friction_angle;
+    const auto bears = [&](const double share) {
+      return normal_stress >= share * strength.tensile_strength ||
+             shear_stress >= share * shear_strength;
+    };
+    if (bears(1) || least_share == 1 || !bears(least_share))
+      return bears(1);
+    Matrix3<double> mean;
+    for (unsigned int i = 0; i < dim; ++i)
+      mean[i] = .5 * (stresses[0][i] + stresses[1][i]);
+    return some_plane_is_at_strength(mean, strength);
   }
 } // namespace rift

@@ -80,7 +80,11 @@ namespace rift::test
                   parameters,
                   communicator)
       , critical(find_critical_time_step(stiffness_factor))
-      , insertion(topology, discrete.reference, internal_force, strengths)
+      , insertion(topology,
+                  discrete.reference,
+                  internal_force,
+                  strengths,
+                  parameters.least_share)
       , force(topology,
               discrete.reference,
               strengths,

@@ -1,4 +1,6 @@
 #include "breaking_body.h"
+#include <rift/cohesive/weakest_plane.h>
+
 #include <gtest/gtest.h>
 
 using namespace rift;
@@ -70,11 +72,11 @@ namespace
   }
 
   /**
-   * How near a face is to its strength, by the definition: the larger of
-   * sigma_n - T and |tau| - c + min(sigma_n, 0) tan(phi), Pa.
+   * How near a face is to a share of its strength, by the definition: the
+   * larger of sigma_n - T and |tau| - c + min(sigma_n, 0) tan(phi), Pa.
    */
   double
-  excess(const BreakingBody &body, const FaceIndex face)
+  excess(const BreakingBody &body, const FaceIndex face, const double share = 1)
   {
     const Face &f = body.topology.faces[face];
     Vector      x[3], reference[3];
@@ -97,18 +99,30 @@ namespace
     const double       sigma = dot(traction, normal);
     const double       tau   = norm(traction - sigma * normal);
     const FaceStrength s     = body.strengths.strength(face);
-    return std::max(sigma - s.tensile_strength,
-                    tau - s.cohesion +
-                      std::min(sigma, 0.) * s.tan_friction_angle);
+    return std::max(
+      sigma - share * s.tensile_strength,
+      tau - share * (s.cohesion - std::min(sigma, 0.) * s.tan_friction_angle));
+  }
+
+  bool
+  breaks(const BreakingBody &body, const FaceIndex face, const double share)
+  {
+    const auto &cells = body.topology.faces[face].cells;
+    Matrix      mean  = nominal_stress(body, cells[0]);
+    for (unsigned int i = 0; i < dim; ++i)
+      mean[i] = .5 * (mean[i] + nominal_stress(body, cells[1])[i]);
+    return excess(body, face) >= 0 ||
+           (excess(body, face, share) >= 0 &&
+            some_plane_is_at_strength(mean, body.strengths.strength(face)));
   }
 
   std::vector<FaceIndex>
-  brute_force(const BreakingBody &body)
+  brute_force(const BreakingBody &body, const double share = 1)
   {
     std::vector<FaceIndex> faces;
     for (const FaceIndex face : body.all_faces())
       if (body.topology.face_states[face] == FaceState::intact &&
-          body.strengths.is_breakable(face) && excess(body, face) >= 0)
+          body.strengths.is_breakable(face) && breaks(body, face, share))
         faces.push_back(face);
     return faces;
   }
@@ -204,7 +218,7 @@ TEST(Insertion, CohesionInTensionAndFrictionInCompression)
 TEST(Insertion, AgreesWithBruteForce)
 {
   std::mt19937 random(1);
-  std::size_t  n_found = 0, n_missed = 0;
+  std::size_t  n_found = 0, n_tilted = 0, n_missed = 0;
   auto         weak   = granite();
   weak.cohesion       = 10e6;
   weak.friction_angle = .2;
@@ -216,7 +230,8 @@ TEST(Insertion, AgreesWithBruteForce)
       auto other            = weak;
       other.weibull_modulus = sample % 2 ? 5 : 0;
       CohesiveParameters parameters;
-      parameters.seed = sample;
+      parameters.seed        = sample;
+      parameters.least_share = sample % 4 < 2 ? 1 : .1 * (sample % 11);
       BreakingBody body(shape, {granite(), other}, .25, parameters);
       // Some faces are cut already.
       for (const FaceIndex face : body.all_faces())
@@ -224,12 +239,14 @@ TEST(Insertion, AgreesWithBruteForce)
           body.topology.face_states[face] = FaceState::cohesive;
       strain_at_random(body, random);
 
-      const auto expected = brute_force(body);
+      const auto expected = brute_force(body, parameters.least_share);
       ASSERT_EQ(find_faces(body), expected) << "sample " << sample;
       n_found += expected.size();
+      n_tilted += expected.size() - brute_force(body).size();
       n_missed += body.all_faces().size() - expected.size();
     }
   EXPECT_GT(n_found, 1000u);
+  EXPECT_GT(n_tilted, 500u);
   EXPECT_GT(n_missed, 1000u);
 }
 

@@ -16,6 +16,11 @@ namespace rift
    * (doc/theory.md, eq. 11). The traction is the mean of the two cells'
    * nominal tractions P N, resolved along the current normal.
    *
+   * With a `least_share` below 1 a face also breaks when the mean stress of its
+   * two cells reaches the strength on some plane and the face itself bears at
+   * least this share of its own strength (eq. 11a): tilted faces then no longer
+   * hold a crack together that runs beside them.
+   *
    * The decision for a face depends on its two cells alone, so that all ranks
    * that see the face decide the same.
    */
@@ -25,7 +30,8 @@ namespace rift
     Insertion(const Topology          &topology,
               const ReferenceCellData &reference,
               const InternalForce     &internal_force,
-              const FaceStrengths     &strengths);
+              const FaceStrengths     &strengths,
+              double                   least_share = 1);
 
     /**
      * Faces of the hot cells at their strength, ascending.
@@ -38,8 +44,8 @@ namespace rift
   private:
     /**
      * Faces of a batch on which the stress of the cell itself comes near the
-     * smallest strength of its material, one bit for each lane: at a face that
-     * is at its strength that is so on one of its sides at least.
+     * least share of the smallest strength of its material, one bit for each
+     * lane: at a face that breaks that is so on one of its sides at least.
      */
     std::array<std::uint8_t, n_corners>
     near_strength(std::uint32_t                     batch,
@@ -53,13 +59,14 @@ namespace rift
     batch_stress(const State &state, std::uint32_t batch);
 
     bool
-    is_at_strength(const State &state, FaceIndex face);
+    breaks(const State &state, FaceIndex face);
 
     const Topology                               &topology;
     const ReferenceCellData                      &reference;
     const InternalForce                          &internal_force;
     const FaceStrengths                          &strengths;
     const std::vector<std::optional<StressBound>> bounds;
+    const double                                  least_share;
 
     /** Where the stress of a batch stands in `stresses`. */
     std::vector<std::uint32_t>              stress_position;
