@@ -18,7 +18,7 @@ namespace rift
    *
    * With a `least_share` below 1 a face also breaks when the mean stress of its
    * two cells reaches the strength on some plane and the face itself bears at
-   * least this share of its own strength (eq. 11a): tilted faces then no longer
+   * least this share of its own strength (eq. 11b): tilted faces then no longer
    * hold a crack together that runs beside them.
    *
    * The decision for a face depends on its two cells alone, so that all ranks

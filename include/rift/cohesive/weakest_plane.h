@@ -8,7 +8,7 @@ namespace rift
 {
   /**
    * Whether a plane of some direction is at the strength of eq. (11) under a
-   * stress, all planes having the same strength (doc/theory.md, eq. 11a).
+   * stress, all planes having the same strength (doc/theory.md, eq. 11b).
    *
    * @param stress Pa, of which the symmetric part is taken.
    */
