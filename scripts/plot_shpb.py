@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Three-wave analysis of a run of prm/brazilian/shpb.prm: the incident pulse, the
 forces on both sides of the disc, its indirect tensile stress and loading rate.
-Prints them as a table in Markdown and plots them.
+Prints them as a table in Markdown and plots them, and where the disc is open if
+states have been written.
 
 usage: scripts/plot_shpb.py RESULTS FIGURE.png
 """
@@ -10,7 +11,10 @@ import sys
 if len(sys.argv) != 3:
     sys.exit(__doc__)
 
-from rift_output import import_pyplot, np, read_summary, read_table
+import os
+
+from rift_output import (import_pyplot, np, read_series, read_summary, read_table,
+                         read_vtu)
 
 plt = import_pyplot()
 
@@ -21,6 +25,7 @@ DIAMETER, THICKNESS = 0.0408, 0.016
 GAUGE = 0.3
 SPEED = np.sqrt(MODULUS / DENSITY)
 TENSION_OF_FORCE = 2 / (np.pi * DIAMETER * THICKNESS)
+OPENING = 10e-6
 # What Saksala et al. (2013) report at 10 m/s.
 MEASURED_PEAK, MEASURED_RATE = 37.0e6, 1000e9
 MEASURED_PULSE = 225e6, (55e-6, 150e-6, 35e-6)
@@ -60,22 +65,24 @@ def crossing(time, values, level, after=0):
 
 
 class Pulse:
-    """Height, rise, plateau and fall of the trapezoid that has the mean stress in
-    the middle of the pulse, and its times at 10 and 90 % of it."""
+    """Height of the incident pulse, Pa, and how long it rises and falls: 1.25 times
+    the time between 10 and 90 % of the height, as if it were a trapezoid."""
 
     def __init__(self, time, stress):
-        half = np.flatnonzero(stress > 0.5 * stress.max())
-        first, last = half[0], half[-1]
-        fifth = (last - first) // 5
-        self.height = stress[first + 2 * fifth:last - fifth].mean()
-        up, down = [[crossing(time, stress, level * self.height, after)
-                     for level in (0.1, 0.5, 0.9)] for after in
-                    (0, (first + last) // 2)]
-        self.rise = (up[2] - up[0]) / 0.8
-        self.fall = (down[0] - down[2]) / 0.8
-        self.duration = down[1] - up[1]
-        self.plateau = self.duration - 0.5 * (self.rise + self.fall)
+        above = np.flatnonzero(stress > 0.5 * stress.max())
+        first, last = above[0], above[-1]
+        self.height = stress[(first + last) // 2:last - (last - first) // 5].mean()
+        up = [crossing(time, stress, level * self.height)
+              for level in (0.1, 0.5, 0.9)]
         self.half_time = up[1]
+        self.rise = (up[2] - up[0]) / 0.8
+        self.duration = self.fall = None
+        # Unless the run ends before.
+        if stress[last:].min() < 0.1 * self.height:
+            down = [crossing(time, stress, level * self.height, (first + last) // 2)
+                    for level in (0.1, 0.5, 0.9)]
+            self.fall = (down[0] - down[2]) / 0.8
+            self.duration = down[1] - up[1]
 
 
 class Disc:
@@ -100,28 +107,75 @@ class Disc:
 
 
 def print_table(pulse, incident_side, transmission_side, imbalance, summary):
-    print("| | rift | measured |")
-    print("|---|---|---|")
-    rows = (
-        ("incident stress, MPa", f"{1e-6 * pulse.height:.1f}",
-         f"{1e-6 * MEASURED_PULSE[0]:.0f}"),
-        ("its rise, plateau, fall, us",
-         ", ".join(f"{1e6 * t:.0f}" for t in (pulse.rise, pulse.plateau, pulse.fall)),
-         ", ".join(f"{1e6 * t:.0f}" for t in MEASURED_PULSE[1])),
-        ("its duration at half height, us", f"{1e6 * pulse.duration:.1f}", ""),
-        ("peak of 2 P/(pi D t), transmission bar, MPa",
-         f"{1e-6 * transmission_side.peak:.1f}", f"{1e-6 * MEASURED_PEAK:.1f}"),
-        ("the same, incident bar, MPa", f"{1e-6 * incident_side.peak:.1f}", ""),
-        ("rate between 30 and 70 % of the peak, transmission bar, GPa/s",
+    rise, plateau, fall = MEASURED_PULSE[1]
+    rows = [("incident stress, MPa", f"{1e-6 * pulse.height:.1f}",
+             f"{1e-6 * MEASURED_PULSE[0]:.0f}"),
+            ("its rise, us", f"{1e6 * pulse.rise:.1f}", f"{1e6 * rise:.0f}")]
+    if pulse.duration:
+        rows += [("its duration at half height, us", f"{1e6 * pulse.duration:.1f}",
+                  f"{1e6 * (plateau + 0.5 * (rise + fall)):.0f}"),
+                 ("its fall, us", f"{1e6 * pulse.fall:.1f}", f"{1e6 * fall:.0f}")]
+    rows += [
+        ("first peak of 2 P2/(pi D t), MPa", f"{1e-6 * transmission_side.peak:.1f}",
+         f"{1e-6 * MEASURED_PEAK:.1f}"),
+        ("of 2 P1/(pi D t)", f"{1e-6 * incident_side.peak:.1f}", ""),
+        ("rate of 2 P2/(pi D t), 30 to 70 % of the peak, GPa/s",
          f"{1e-9 * transmission_side.rate:.0f}", f"{1e-9 * MEASURED_RATE:.0f}"),
-        ("peak over the time since a twentieth of it, transmission bar, GPa/s",
+        ("the peak over the time since 5 % of it, GPa/s",
          f"{1e-9 * transmission_side.mean_rate():.0f}", ""),
-        ("mean |P1 - P2| over mean P2 until the peak", f"{imbalance:.3f}", ""),
+        ("mean of |P1 - P2| over that of P2, from 10 % of the peak on",
+         f"{imbalance:.2f}", ""),
         ("residual of the ledger", f"{summary['energy_residual_relative']:.1e}", ""),
         ("cells, steps, wall time", f"{summary['cells']}, {summary['steps']}, "
-         f"{summary['wall_seconds']:.0f} s", ""))
+         f"{summary['wall_seconds']:.0f} s", "")]
+    print("| | rift | measured |\n|---|---|---|")
     for row in rows:
         print("| " + " | ".join(row) + " |")
+
+
+def plot_waves(axes, waves, pulse):
+    time = 1e6 * waves.time
+    for wave, name in ((waves.incident, "incident"), (waves.reflected, "reflected"),
+                       (waves.transmitted, "transmitted")):
+        axes.plot(time, 1e-6 * wave, label=name)
+    rise, plateau, fall = MEASURED_PULSE[1]
+    # Laid so that both pass half of their height together.
+    start = pulse.half_time + GAUGE / SPEED - rise / 2
+    axes.plot(1e6 * (start + np.cumsum([0, rise, plateau, fall])),
+              1e-6 * MEASURED_PULSE[0] * np.array([0, 1, 1, 0]), "k:",
+              label="incident, measured")
+    axes.set(title="waves at the faces of the disc", xlabel="time (us)",
+             ylabel="compressive stress in the bars (MPa)",
+             xlim=(1e6 * start - 20, time[-1]))
+
+
+def plot_forces(axes, waves, sides):
+    time = 1e6 * waves.time
+    for side, name in zip(sides, ("P1, incident bar", "P2, transmission bar")):
+        axes.plot(time, 1e-6 * side.stress, label=name)
+    axes.axhline(1e-6 * MEASURED_PEAK, color="k", linestyle=":",
+                 label="measured peak")
+    axes.set(title="2 P/(pi D t)", xlabel="time (us)",
+             ylabel="indirect tensile stress (MPa)",
+             xlim=(1e6 * sides[1].peak_time - 60, time[-1]))
+
+
+def plot_cracks(axes, results, time):
+    """Faces open by more than OPENING at the state nearest to a time, seen along
+    the axis of the disc."""
+    files = read_series(results, "fracture")
+    nearest = min(files, key=lambda t: abs(t - time))
+    for file in files[nearest]:
+        for points, faces, _, fields in read_vtu(file):
+            corners = points[faces[fields["opening [m]"] > OPENING]]
+            for x, y, _ in 1e3 * corners.transpose(0, 2, 1):
+                axes.fill(x, y, facecolor="C3", edgecolor="C3", linewidth=0.7,
+                          alpha=0.4)
+    angle = np.linspace(0, 2 * np.pi, 200)
+    axes.plot(500 * DIAMETER * np.cos(angle), 500 * DIAMETER * np.sin(angle), "k",
+              linewidth=0.8)
+    axes.set(title=f"open by > 10 um at {1e6 * nearest:.0f} us", aspect="equal",
+             xlabel="x (mm)", ylabel="y (mm)")
 
 
 def main(results, figure):
@@ -132,32 +186,23 @@ def main(results, figure):
     # From a tenth of the peak on.
     until = (waves.time < sides[1].peak_time) & (sides[1].stress > 0.1 * sides[1].peak)
     imbalance = (np.abs(forces[0] - forces[1])[until].mean() / forces[1][until].mean())
-    print_table(pulse, *sides, imbalance, read_summary(results))
+    summary = read_summary(results)
+    print_table(pulse, *sides, imbalance, summary)
 
-    time = 1e6 * waves.time
-    _, (left, right) = plt.subplots(1, 2, figsize=(11, 3.8), layout="constrained")
-    for wave, name in ((waves.incident, "incident"), (waves.reflected, "reflected"),
-                       (waves.transmitted, "transmitted")):
-        left.plot(time, 1e-6 * wave, label=name)
-    rise, plateau, fall = MEASURED_PULSE[1]
-    # Laid so that both pass half of their height together.
-    start = pulse.half_time + GAUGE / SPEED - rise / 2
-    left.plot(1e6 * (start + np.cumsum([0, rise, plateau, fall])),
-              1e-6 * MEASURED_PULSE[0] * np.array([0, 1, 1, 0]), "k:",
-              label="incident, measured")
-    left.set(title="waves at the faces of the disc", xlabel="time (us)",
-             ylabel="compressive stress in the bars (MPa)")
-    for side, name in zip(sides, ("P1, incident bar", "P2, transmission bar")):
-        right.plot(time, 1e-6 * side.stress, label=name)
-    right.axhline(1e-6 * MEASURED_PEAK, color="k", linestyle=":",
-                  label="measured peak")
-    right.set(title="2 P/(pi D t)", xlabel="time (us)",
-              ylabel="indirect tensile stress (MPa)",
-              xlim=(1e6 * sides[1].peak_time - 60, time[-1]))
-    for axes in left, right:
-        axes.grid(alpha=.3)
-        axes.legend(fontsize=8)
-    plt.savefig(figure, dpi=90)
+    with_cracks = os.path.exists(f"{results}/fracture.pvd")
+    n_rows = 2 if with_cracks else 1
+    plots, axes = plt.subplots(n_rows, 2, figsize=(10, 3.8 * n_rows),
+                               layout="constrained")
+    axes = axes.ravel()
+    plot_waves(axes[0], waves, pulse)
+    plot_forces(axes[1], waves, sides)
+    for curves in axes[:2]:
+        curves.grid(alpha=.3)
+        curves.legend(fontsize=8)
+    if with_cracks:
+        plot_cracks(axes[2], results, sides[1].peak_time)
+        plot_cracks(axes[3], results, summary["time"])
+    plots.savefig(figure, dpi=80)
 
 
 main(sys.argv[1], sys.argv[2])
