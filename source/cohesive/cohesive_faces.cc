@@ -41,6 +41,7 @@ namespace rift
       f(a.shear_excess, b.shear_excess);
       f(a.inverse_opening, b.inverse_opening);
       f(a.inverse_slip, b.inverse_slip);
+      f(a.debt, b.debt);
     }
   } // namespace
 

@@ -229,12 +229,12 @@ namespace rift
     if (!any(lets_go))
       return;
 
-    CohesiveMemory &memory  = cohesive_faces.memories[batch.memory];
-    const Simd      elastic = elastic_energy(state, batch);
+    CohesiveMemory &memory      = cohesive_faces.memories[batch.memory];
+    const Simd      recoverable = recoverable_energy(state, batch);
     for (unsigned int lane = 0; lane < batch.n_faces; ++lane)
       if (lets_go[lane] && has_opened(b * batch_size + lane))
         {
-          memory.fracture[lane] += elastic[lane];
+          memory.fracture[lane] += recoverable[lane];
           batch.area[lane] = 0;
           ++event_counter;
           fail(cohesive_faces.infos[b * batch_size + lane], state.time);
@@ -253,8 +253,8 @@ namespace rift
 
   template <typename Law>
   Simd
-  CohesiveForce::elastic_energy(const State         &state,
-                                const CohesiveBatch &batch) const
+  CohesiveForce::recoverable_energy(const State         &state,
+                                    const CohesiveBatch &batch) const
   {
     FaceTractions tractions;
     bool          yields;
@@ -274,18 +274,19 @@ namespace rift
             point.traction  = tractions[q];
           }
         energy += quadrature.weight[q] * batch.area *
-                  Law::elastic_energy(point, batch.constants);
+                  (Law::elastic_energy(point, batch.constants) - point.debt);
       }
     return energy;
   }
 
   Simd
-  CohesiveForce::elastic_energy(const State         &state,
-                                const CohesiveBatch &batch) const
+  CohesiveForce::recoverable_energy(const State         &state,
+                                    const CohesiveBatch &batch) const
   {
     return std::visit(
       [&](const auto &the_law) {
-        return elastic_energy<std::decay_t<decltype(the_law)>>(state, batch);
+        return recoverable_energy<std::decay_t<decltype(the_law)>>(state,
+                                                                   batch);
       },
       law);
   }
@@ -296,29 +297,27 @@ namespace rift
     CohesiveEnergy energy;
     for (std::size_t b = 0; b < cohesive_faces.batches.size(); ++b)
       {
-        const CohesiveBatch &batch   = cohesive_faces.batches[b];
-        const Simd           elastic = elastic_energy(state, batch);
+        const CohesiveBatch &batch       = cohesive_faces.batches[b];
+        const Simd           recoverable = recoverable_energy(state, batch);
         for (unsigned int lane = 0; lane < batch.n_faces; ++lane)
           {
             const std::size_t i    = b * batch_size + lane;
             const auto       &info = cohesive_faces.infos[i];
             if (!topology.owns_face(info.face))
               continue;
-            energy.recoverable.add(elastic[lane]);
+            energy.recoverable.add(recoverable[lane]);
             const CohesiveMemory *memory = cohesive_faces.memory_of(i);
             if (memory == nullptr)
               continue;
             energy.fracture.add(memory->fracture[lane]);
             energy.friction.add(memory->friction[lane]);
             // What the elastic branch was given at the start belongs to the
-            // recoverable energy until the face has failed, and that of the
-            // pressure after that as well.
+            // recoverable energy until the face has failed.
             const bool has_failed = info.failure_time >= 0;
             (has_failed ? energy.fracture : energy.recoverable)
               .add(-memory->given_fracture[lane]);
             (has_failed ? energy.friction : energy.recoverable)
               .add(-memory->given_friction[lane]);
-            energy.recoverable.add(-memory->given_pressure[lane]);
           }
       }
     return energy;

@@ -38,20 +38,23 @@ namespace rift
                           shortest_separation * mode.strength / stiffness);
     }
 
+    /** @param tension, shear what the point carries by its strength, Pa: the
+     * shear without what friction bears. */
     void
     set_separations(CohesivePoint<double> &point,
-                    const Vector3<double> &traction,
+                    const double           tension,
+                    const double           shear,
                     const FaceStrength    &strength,
                     const double           stiffness,
                     const double           part_of_fracture)
     {
       const Mode opening    = {strength.tensile_strength,
                                strength.fracture_energy_1,
-                               std::max(traction[0], 0.),
+                               std::max(tension, 0.),
                                point.normal_excess};
       const Mode sliding    = {point.cohesion,
                                strength.fracture_energy_2,
-                               std::hypot(traction[1], traction[2]),
+                               std::max(shear, 0.),
                                point.shear_excess};
       point.inverse_opening = inverse_separation(opening,
                                                  point.softening,
@@ -63,8 +66,14 @@ namespace rift
                                               part_of_fracture);
     }
 
-    /** Of an elastic branch with this traction. */
-    GivenEnergy
+    /** Of an elastic branch with this traction, J/m^2: what GivenEnergy has, and
+     * what compression holds. */
+    struct BranchEnergy
+    {
+      double fracture, friction, compression;
+    };
+
+    BranchEnergy
     energy_of(const Vector3<double> &traction,
               const double           friction_coefficient,
               const double           stiffness)
@@ -97,7 +106,7 @@ namespace rift
     CohesivePoint<double> point{};
     point.softening = 1;
     point.cohesion  = strength.cohesion;
-    set_separations(point, {{0, 0, 0}}, strength, stiffness, part_of_fracture);
+    set_separations(point, 0, 0, strength, stiffness, part_of_fracture);
     return point;
   }
 
@@ -145,14 +154,14 @@ namespace rift
       point.offset[0] = jump[0];
     point.offset -= (1 / stiffness) * more;
     set_separations(point,
-                    t,
+                    t[0],
+                    shear,
                     strength,
                     stiffness,
                     StraightBranch::part_of_fracture);
-    const GivenEnergy had = energy_of(before, coefficient, stiffness);
-    const GivenEnergy has = energy_of(t, coefficient, stiffness);
-    return {has.fracture - had.fracture,
-            has.friction - had.friction,
-            has.pressure - had.pressure};
+    const BranchEnergy had = energy_of(before, coefficient, stiffness);
+    const BranchEnergy has = energy_of(t, coefficient, stiffness);
+    point.debt += has.compression - had.compression;
+    return {has.fracture - had.fracture, has.friction - had.friction};
   }
 } // namespace rift

@@ -360,7 +360,6 @@ namespace rift
           hold_traction(point, jump, more, strength, stiffness);
         memory.given_fracture[lane] += weight * given.fracture;
         memory.given_friction[lane] += weight * given.friction;
-        memory.given_pressure[lane] += weight * given.pressure;
         set_point(memory, q, lane, point);
       }
   }

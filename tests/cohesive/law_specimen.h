@@ -60,7 +60,7 @@ namespace rift::test
     {
       given =
         hold_traction(point, jump, traction, strength, constants.stiffness);
-      return given.fracture + given.friction + given.pressure;
+      return given.fracture + given.friction + point.debt;
     }
 
     double

@@ -78,31 +78,58 @@ TEST(MohrCoulomb, WhatNodesTransmittedDoesNotChangeTheEnergy)
 
 // Under pressure the gift goes three ways: what of the shear the cohesion
 // carries is taken off fracture, what friction will use up off friction, and
-// what the pressure holds stays in the branch.
+// what compression holds is repaid by a body that keeps up the pressure.
 TEST(MohrCoulomb, WhatNodesTransmittedUnderPressureIsSharedOut)
 {
   for (const double pressure : {20e6, 100e6})
     {
       Specimen     specimen;
       const double friction = strength.tan_friction_angle * pressure;
-      const double gift =
-        specimen.hold({{-pressure, strength.cohesion + friction, 0}});
-      EXPECT_NEAR(
-        gift,
-        (std::pow(pressure, 2) + std::pow(strength.cohesion + friction, 2)) /
-          (2 * slope),
-        1e-12 * gift);
+      const double shear    = .9 * (strength.cohesion + friction);
+      const double gift     = specimen.hold({{-pressure, shear, 0}});
+      const double debt     = specimen.point.debt;
+      EXPECT_NEAR(gift,
+                  (std::pow(pressure, 2) + std::pow(shear, 2)) / (2 * slope),
+                  1e-12 * gift);
+      EXPECT_NEAR(debt,
+                  (std::pow(pressure, 2) + std::pow(friction, 2)) / (2 * slope),
+                  1e-12 * gift);
+      const auto press = [&] {
+        specimen.step_to({{specimen.point.offset[0] - pressure / slope, 0, 0}});
+      };
+      for (unsigned int i = 0; i < 3000; ++i)
+        {
+          const double before = specimen.point.debt;
+          press();
+          ASSERT_LE(specimen.point.debt, before);
+          ASSERT_GE(specimen.point.traction[0], -pressure * (1 + 1e-12));
+        }
+      EXPECT_LT(specimen.point.debt, 1e-9 * debt);
+      EXPECT_EQ(specimen.point.softening, 1);
+      EXPECT_NEAR(specimen.work, debt, 1e-9 * debt);
+      EXPECT_EQ(specimen.fracture + specimen.friction, 0);
+
       const double slip = 1.3 * full_slip;
-      specimen.go_to({{0, slip, 0}}, 20000);
+      specimen.go_to({{specimen.jump[0], slip, 0}}, 20000);
       EXPECT_NEAR(specimen.fracture - specimen.given.fracture,
                   strength.fracture_energy_2,
                   1e-3 * strength.fracture_energy_2);
       EXPECT_NEAR(specimen.friction - specimen.given.friction,
                   friction * slip,
                   1e-3 * friction * slip);
-      EXPECT_NEAR(specimen.elastic_energy(),
-                  specimen.given.pressure,
-                  1e-9 * specimen.given.pressure);
+      EXPECT_NEAR(specimen.work,
+                  specimen.fracture + specimen.friction -
+                    specimen.given.fracture - specimen.given.friction +
+                    specimen.elastic_energy() - specimen.point.debt,
+                  1e-9 * specimen.work);
+      // Without any load, nothing has been made.
+      specimen.go_to(
+        {{specimen.point.offset[0], specimen.jump[1] - friction / slope, 0}},
+        1000);
+      EXPECT_NEAR(specimen.work,
+                  specimen.fracture + specimen.friction -
+                    specimen.given.fracture - specimen.given.friction,
+                  1e-6 * specimen.work);
     }
 }
 

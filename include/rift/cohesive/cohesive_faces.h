@@ -34,7 +34,7 @@ namespace rift
     Simd fracture, friction;
 
     /** Energies that a face was given when its nodes parted, J; GivenEnergy. */
-    Simd given_fracture, given_friction, given_pressure;
+    Simd given_fracture, given_friction;
   };
 
   /**
@@ -103,7 +103,7 @@ namespace rift
   {
     FaceName face;
     double   start_time, failure_time, area, fracture, friction;
-    double   given_fracture, given_friction, given_pressure;
+    double   given_fracture, given_friction;
 
     std::array<CohesivePoint<double>, n_face_points> points;
   };

@@ -279,13 +279,13 @@ namespace rift
     static void
     scatter(const CohesiveBatch &batch, const FaceForces &forces, State &state);
 
-    /** Elastic energies of the faces of a batch, J. */
+    /** Elastic energies of the faces of a batch less their debts, J. */
     template <typename Law>
     Simd
-    elastic_energy(const State &state, const CohesiveBatch &batch) const;
+    recoverable_energy(const State &state, const CohesiveBatch &batch) const;
 
     Simd
-    elastic_energy(const State &state, const CohesiveBatch &batch) const;
+    recoverable_energy(const State &state, const CohesiveBatch &batch) const;
 
     void
     note_failures(std::size_t batch_number, double time);

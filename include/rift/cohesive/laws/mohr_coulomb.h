@@ -49,6 +49,10 @@ namespace rift
 
     /** One over the opening and the slip of full separation, 1/m. */
     Number inverse_opening, inverse_slip;
+
+    /** What of the elastic energy per area was held under pressure from the
+     * start and has not been drawn from the body yet, J/m^2; see repay(). */
+    Number debt;
   };
 
   /** What all Gauss points of a face have in common. */
@@ -198,6 +202,17 @@ namespace rift
     static Number
     trial_of(const Number &traction, const Number &peak);
 
+    /**
+     * Straight branches: draws a part of the debt from the body. The traction of
+     * a compressed point falls by as much elastic energy, at the same jump, and
+     * the body closes the face a little more (doc/theory.md, section 5).
+     */
+    template <typename Number>
+    static void
+    repay(CohesivePoint<Number>           &point,
+          const CohesiveConstants<Number> &constants,
+          const Vector3<Number>           &jump);
+
     /** Has damage and excess follow jumps beyond the envelope, m. */
     template <typename Number>
     void
@@ -226,6 +241,9 @@ namespace rift
 
   /** Decline of the excess with the jump, over the slope of the branch. */
   constexpr double excess_slope = .5;
+
+  /** Part of the debt of a compressed point that is repaid in a step. */
+  constexpr double repayment = .01;
 
   /**
    * Least separation over the jump strength / k. Any shorter, and a face would
@@ -267,20 +285,18 @@ namespace rift
     /** What of the shear friction will have used up once there is nothing but
      * friction. */
     double friction;
-
-    /** What compressed faces keep. */
-    double pressure;
   };
 
   /**
    * For straight branches: gives a point more traction than it had at its last
    * update. The force that held two nodes together until now passes to the
    * face, so that the start is continuous in time (doc/theory.md, section 5).
-   * What is above the strength becomes excess. Separations are adapted so that
+   * What is above the strength becomes excess, what compression holds becomes
+   * debt. Separations are adapted so that
    * the energy drawn from the body remains the fracture energy.
    *
    * @param jump now, m; the body may have moved since the last update.
-   * @return what comes with the traction.
+   * @return what comes with the traction besides the debt.
    */
   GivenEnergy
   hold_traction(CohesivePoint<double> &point,
@@ -402,8 +418,10 @@ namespace rift
                               const CohesiveConstants<Number> &constants,
                               const Vector3<Number>           &jump) const
   {
-    const Number         zero{};
-    Vector3<Number>      former = point.traction;
+    const Number    zero{};
+    Vector3<Number> former = point.traction;
+    if constexpr (Branch::is_straight)
+      repay(point, constants, jump);
     const Trial<Number>  trial(constants, jump - point.offset);
     const Peaks<Number>  before = peaks_of(point, constants);
     const Beyond<Number> over   = beyond(trial, before);
@@ -491,6 +509,29 @@ namespace rift
     dissipation.fracture = select(yields, dissipation.fracture, zero);
     dissipation.friction = select(yields, dissipation.friction, zero);
     return dissipation;
+  }
+
+  template <typename Branch>
+  template <typename Number>
+  void
+  MohrCoulomb<Branch>::repay(CohesivePoint<Number>           &point,
+                             const CohesiveConstants<Number> &constants,
+                             const Vector3<Number>           &jump)
+  {
+    const Number zero{};
+    const Number pressure =
+      max(constants.stiffness * (point.offset[0] - jump[0]), zero);
+    const auto pays = (point.debt > zero) & (pressure > zero);
+    if (!any(pays))
+      return;
+    const Number rest = sqrt(max(
+      pressure * pressure - (2 * repayment) * constants.stiffness * point.debt,
+      zero));
+    // By the trapezoidal rule, as the central differences do their work.
+    const Number closing = (pressure - rest) / constants.stiffness;
+    const Number paid    = .5 * (rest - point.traction[0]) * closing;
+    point.offset[0] = select(pays, point.offset[0] - closing, point.offset[0]);
+    point.debt      = select(pays, point.debt - paid, point.debt);
   }
 
   template <typename Branch>
