@@ -5,8 +5,8 @@ usage: scripts/plot_brazilian.py FOLDER NAME=RESULTS...
 
 Draws into FOLDER, for each run side by side: the indirect tensile stress
 2 P/(pi D t) over time, the stress across the load on the mid-plane at the last
-state before the first insertion, and the cracks at the two plane surfaces 58 us
-after the peak.
+state before anything breaks in one of them, and the cracks at the two plane
+surfaces 58 us after the peak.
 """
 import os
 import sys
@@ -70,22 +70,17 @@ def section(pieces):
 
 
 def surface_edges(results, time, side):
-    """Edges of cohesive faces at the plane surface y = side t/2, as (x, z) in
-    the undeformed disc, and whether the face has failed."""
+    """Edges of cohesive faces at the plane surface y = side t/2, as (x, z), and
+    whether the face has failed."""
     lines, failed = [], []
-    for points, faces, fields, cells in state_near(results, "fracture", time)[1]:
-        x = points - fields["displacement [m]"] if "displacement [m]" in fields else points
-        at_side = np.abs(x[:, 1] - side * THICKNESS / 2) < DISTANCE
+    for x, faces, _, cells in state_near(results, "fracture", time)[1]:
+        at_side = np.abs(x[:, 1] - side * THICKNESS / 2) < 1e-6
         for face, time_of_failure in zip(faces, cells["time of failure [s]"]):
             ends = [c for c in face if at_side[c]]
             if len(ends) == 2:
                 lines.append(1e3 * x[ends][:, [0, 2]])
                 failed.append(time_of_failure >= 0)
     return lines, np.array(failed, dtype=bool)
-
-
-# Points of a surface may have moved by this much along y.
-DISTANCE = 0.4e-3
 
 
 def draw_histories(axes, runs):
@@ -114,9 +109,11 @@ def main(folder, runs):
 
     figure, all_axes = plt.subplots(1, len(runs), figsize=(4.6 * len(runs), 4.2),
                                     layout="constrained", squeeze=False)
+    insertions = {name: first_insertion(results) for name, results in runs}
+    before = max(t for t in read_series(runs[0][1], "solid")
+                 if t < min(insertions.values()))
     for axes, (name, results) in zip(all_axes[0], runs):
-        insertion = first_insertion(results)
-        before = max(t for t in read_series(results, "solid") if t < insertion)
+        insertion = insertions[name]
         moment, pieces = state_near(results, "solid", before)
         polygons, stress = section(pieces)
         drawing = PolyCollection(polygons, array=stress, cmap="RdBu_r",

@@ -1,9 +1,14 @@
-// Brazilian tests.
+// Brazilian and uniaxial tests.
+
+#include "../temporary_directory.h"
 
 #include <rift/app/simulation.h>
 #include <rift/base/floating_point.h>
 
 #include <gtest/gtest.h>
+
+#include <map>
+#include <sstream>
 
 using namespace rift;
 
@@ -68,6 +73,45 @@ namespace
       }
     return sum / volume;
   }
+
+  /** Columns of probes.csv of a run, by their names without unit. */
+  std::map<std::string, std::vector<double>>
+  run(const std::string &scene, const std::vector<std::string> &overrides)
+  {
+    const TemporaryDirectory directory;
+    Parameters               parameters =
+      read_parameters(RIFT_SOURCE_DIRECTORY "/prm/" + scene, overrides);
+    parameters.output.directory         = directory / "results";
+    parameters.output.solution_interval = 0;
+    Log log(nullptr);
+    Simulation(parameters, log).run();
+
+    std::map<std::string, std::vector<double>> columns;
+    std::istringstream file(read_file(directory / "results/probes.csv"));
+    std::string        line, cell;
+    std::getline(file, line);
+    std::vector<std::vector<double> *> by_number;
+    for (std::istringstream header(line); std::getline(header, cell, ',');)
+      by_number.push_back(&columns[cell.substr(0, cell.find(" ["))]);
+    while (std::getline(file, line))
+      {
+        std::istringstream row(line);
+        for (auto *column : by_number)
+          {
+            std::getline(row, cell, ',');
+            column->push_back(std::stod(cell));
+          }
+      }
+    return columns;
+  }
+
+  /** Platens that close in with so many m/s, reached after 50 us. */
+  std::string
+  platen(const std::string &name, const double speed)
+  {
+    return "Material " + name + "/Velocity z=" + std::to_string(speed) +
+           "*min(1, t/50e-6)";
+  }
 } // namespace
 
 TEST(Brazilian, ElasticDiscHasTheTensionOfHondros)
@@ -89,4 +133,51 @@ TEST(Brazilian, ElasticDiscHasTheTensionOfHondros)
   EXPECT_NEAR(tension / (100e6 * mean_tension(.15, core / radius)), 1, .02);
   const Energies &energies = simulation.energy_ledger().energies();
   EXPECT_LT(energies.kinetic, 1e-6 * energies.strain);
+}
+
+TEST(Uniaxial, GaugesGiveTheConstantsBack)
+{
+  auto probes = run("brazilian/ucs.prm",
+                    {"Mesh/Element size=3e-3",
+                     "Time/End time=150e-6",
+                     platen("upper platen", -.5),
+                     platen("lower platen", .5)});
+  // Between two moments, when the platens have their speed: no insertion yet.
+  const auto change = [&](const std::string &name) {
+    return probes.at(name).back() - probes.at(name)[80];
+  };
+  const double stress =
+    .5 * (change("lower force") - change("upper force")) / (M_PI * .01 * .01);
+  const double axial = .5 *
+                       (change("lower gauge 1") + change("lower gauge 2") -
+                        change("upper gauge 1") - change("upper gauge 2")) /
+                       .02;
+  const double lateral =
+    (change("lateral gauge 1") - change("lateral gauge 2")) / (2 * .0098);
+  EXPECT_GT(std::abs(stress), 50e6);
+  EXPECT_NEAR(std::abs(stress) / axial / 40.6e9, 1, .02);
+  EXPECT_NEAR(lateral / axial / .2, 1, .02);
+}
+
+// Of the cube of prm/contact: with (11b) about that of Mohr and Coulomb.
+TEST(Uniaxial, StrengthIsThatOfMohrAndCoulomb)
+{
+  const double phi = 50 * M_PI / 180;
+  const double strength =
+    2 * 36.7e6 * std::cos(phi) / (1 - std::sin(phi)) * .02 * .02;
+  const auto largest_force = [&](const std::string &share) {
+    const auto probes  = run("contact/crush.prm",
+                            {"Mesh/Element size=3.5e-3",
+                              "Time/End time=190e-6",
+                              "Material granite/Residual friction angle=31",
+                              "Fracture/Least share of strength=" + share,
+                              platen("upper platen", -1)});
+    double     largest = 0;
+    for (const double force : probes.at("reaction"))
+      largest = std::max(largest, std::abs(force));
+    return largest;
+  };
+  EXPECT_NEAR(largest_force("0.3") / strength, 1, .1);
+  // By (11) alone it has not broken yet.
+  EXPECT_GT(largest_force("1") / strength, 1.15);
 }

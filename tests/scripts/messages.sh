@@ -22,6 +22,7 @@ says 1 '-n wants a number of ranks, not ""' "$scripts/run" scene.prm -n
 python=/usr/bin/python3
 [ -x $python ] || exit 0
 for name in compare_spalling plot_spalling plot_shpb plot_scaling \
+  plot_brazilian plot_static \
   render_spalling; do
   # -S: without installed packages
   says 1 "usage: " $python -S "$scripts/$name.py"
