@@ -22,6 +22,9 @@ from matplotlib.collections import LineCollection, PolyCollection
 DIAMETER, THICKNESS = 0.04, 0.016
 AFTER_PEAK = 58e-6
 
+# By so much points of a plane surface may have moved along y, m; cells are larger.
+MOTION = 0.4e-3
+
 
 def history(results):
     """Times and indirect tensile stress by the mean of both forces, Pa."""
@@ -70,11 +73,11 @@ def section(pieces):
 
 
 def surface_edges(results, time, side):
-    """Edges of cohesive faces at the plane surface y = side t/2, as (x, z), and
-    whether the face has failed."""
+    """Edges of cohesive faces at the plane surface y = side t/2, as (x, z) in the
+    deformed disc, and whether the face has failed."""
     lines, failed = [], []
     for x, faces, _, cells in state_near(results, "fracture", time)[1]:
-        at_side = np.abs(x[:, 1] - side * THICKNESS / 2) < 1e-6
+        at_side = np.abs(x[:, 1] - side * THICKNESS / 2) < MOTION
         for face, time_of_failure in zip(faces, cells["time of failure [s]"]):
             ends = [c for c in face if at_side[c]]
             if len(ends) == 2:
