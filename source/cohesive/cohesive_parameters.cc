@@ -76,7 +76,7 @@ namespace rift
       "strength on some other plane, if the face itself bears at "
       "least this share of its own strength. With 1 a face breaks "
       "by itself alone, and meshes are stronger than the material, "
-      "in compression by more than twice; 0.3 has given the "
+      "in compression by nearly twice; 0.3 has given the "
       "strength of Mohr and Coulomb. Units: 1.");
     prm.declare_entry("Cohesive penalty",
                       to_text(defaults.penalty.value) + " E",
