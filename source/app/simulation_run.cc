@@ -111,6 +111,15 @@ namespace rift
       " faces opened, largest residual of the energy ledger " +
       short_text(ledger.largest_relative_residual()) +
       " of the energy in play");
+    const Energies  &energies            = ledger.energies();
+    constexpr double largest_unpaid_part = .05;
+    if (-energies.cohesive >
+        largest_unpaid_part * (energies.total() - energies.cohesive))
+      log.write("WARNING: the balance has a cohesive energy of " +
+                short_text(energies.cohesive) +
+                " J: so much has come from faces that broke under pressure and "
+                "were unloaded before they had drawn it from the body. Take a "
+                "larger stiffness factor, of Fracture and of Contact.");
     if (faces.too_short > 0)
       log.write("WARNING: " + std::to_string(faces.too_short) + " of " +
                 std::to_string(faces.opened) +

@@ -231,10 +231,14 @@ namespace rift
 
     CohesiveMemory &memory      = cohesive_faces.memories[batch.memory];
     const Simd      recoverable = recoverable_energy(state, batch);
+    Simd            debt{};
+    for (unsigned int q = 0; q < n_face_points; ++q)
+      debt += quadrature.weight[q] * batch.area * memory.points[q].debt;
     for (unsigned int lane = 0; lane < batch.n_faces; ++lane)
       if (lets_go[lane] && has_opened(b * batch_size + lane))
         {
-          memory.fracture[lane] += recoverable[lane];
+          memory.fracture[lane] += recoverable[lane] + debt[lane];
+          memory.unpaid[lane] += debt[lane];
           batch.area[lane] = 0;
           ++event_counter;
           fail(cohesive_faces.infos[b * batch_size + lane], state.time);
@@ -311,6 +315,7 @@ namespace rift
               continue;
             energy.fracture.add(memory->fracture[lane]);
             energy.friction.add(memory->friction[lane]);
+            energy.recoverable.add(-memory->unpaid[lane]);
             // What the elastic branch was given at the start belongs to the
             // recoverable energy until the face has failed.
             const bool has_failed = info.failure_time >= 0;

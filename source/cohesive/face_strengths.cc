@@ -139,6 +139,23 @@ namespace rift
     return result;
   }
 
+  FaceStrength
+  FaceStrengths::strength_of_all_planes(const FaceIndex face) const
+  {
+    FaceStrength              result = strength(face);
+    const Face               &f      = topology.faces[face];
+    const MaterialParameters &a      = materials[topology.material(f.cells[0])];
+    const MaterialParameters &b      = materials[topology.material(f.cells[1])];
+    if (!a.has_directional_strength() && !b.has_directional_strength())
+      return result;
+    const double factor     = factors.empty() ? 1. : factors[face];
+    result.tensile_strength = factor * std::min(a.tensile_strength.largest(),
+                                                b.tensile_strength.largest());
+    result.cohesion =
+      factor * std::min(a.cohesion.largest(), b.cohesion.largest());
+    return result;
+  }
+
   void
   FaceStrengths::find_bounds(const Communicator &communicator)
   {
@@ -159,14 +176,16 @@ namespace rift
     std::vector<double> cohesions(n_materials, largest);
     for (FaceIndex face = 0; face < topology.faces.size(); ++face)
       if (is_breakable(face))
-        for (const CellIndex cell : topology.faces[face].cells)
-          {
-            const FaceStrength s = strength(face);
-            const auto         m = topology.material(cell);
-            tensile_strengths[m] =
-              std::min(tensile_strengths[m], s.tensile_strength);
-            cohesions[m] = std::min(cohesions[m], s.cohesion);
-          }
+        {
+          const FaceStrength s = strength(face);
+          for (const CellIndex cell : topology.faces[face].cells)
+            {
+              const auto m = topology.material(cell);
+              tensile_strengths[m] =
+                std::min(tensile_strengths[m], s.tensile_strength);
+              cohesions[m] = std::min(cohesions[m], s.cohesion);
+            }
+        }
 
     // Of the whole body: which cells are looked at must not depend on the rank.
     bounds.resize(n_materials);

@@ -70,6 +70,12 @@ namespace rift
                               StressBound::small_strain_squared;
 
     std::array<std::uint8_t, n_corners> result{};
+    // By eq. (11b) one cell may be hot, and the other one load the face.
+    if (least_share < 1)
+      {
+        result.fill(0xff);
+        return result;
+      }
     for (unsigned int f = 0; f < n_corners; ++f)
       {
         const Vector3<Simd> n =
@@ -87,12 +93,10 @@ namespace rift
         // Friction counts in tension, too: only then is the bound convex, so
         // that the mean of two cells within it is within it.
         const Simd shear_limit =
-          least_share *
-          (bound.cohesion * square - bound.tan_friction_angle * normal);
+          bound.cohesion * square - bound.tan_friction_angle * normal;
         const SimdMask mask =
-          (normal >= least_share * bound.tensile_strength * square) |
-          (shear_limit <= 0.) | (shear_squared >= shear_limit * shear_limit) |
-          is_large;
+          (normal >= bound.tensile_strength * square) | (shear_limit <= 0.) |
+          (shear_squared >= shear_limit * shear_limit) | is_large;
         for (unsigned int lane = 0; lane < batch_size; ++lane)
           result[f] |= (mask[lane] & 1) << lane;
       }
@@ -152,9 +156,17 @@ namespace rift
     };
     if (bears(1) || least_share == 1 || !bears(least_share))
       return bears(1);
-    Matrix3<double> mean;
-    for (unsigned int i = 0; i < dim; ++i)
-      mean[i] = .5 * (stresses[0][i] + stresses[1][i]);
-    return some_plane_is_at_strength(mean, strength);
+    // Of the stress that does not turn with the body.
+    Matrix3<double> mean{};
+    for (const CellIndex cell : f.cells)
+      {
+        const SymmetricTensor<Simd> &s =
+          batch_stress(state, cell / batch_size).second;
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = 0; j < dim; ++j)
+            mean[i][j] += .5 * s[voigt[i][j]][cell % batch_size];
+      }
+    return some_plane_is_at_strength(mean,
+                                     strengths.strength_of_all_planes(face));
   }
 } // namespace rift

@@ -26,6 +26,7 @@ namespace rift
                                   memory.friction[lane],
                                   memory.given_fracture[lane],
                                   memory.given_friction[lane],
+                                  memory.unpaid[lane],
                                   {}};
         for (unsigned int q = 0; q < n_face_points; ++q)
           record.points[q] = get_point(memory, q, lane);
@@ -65,6 +66,7 @@ namespace rift
         memory.friction[lane]       = record.friction;
         memory.given_fracture[lane] = record.given_fracture;
         memory.given_friction[lane] = record.given_friction;
+        memory.unpaid[lane]         = record.unpaid;
         for (unsigned int q = 0; q < n_face_points; ++q)
           set_point(memory, q, lane, record.points[q]);
         CohesiveFaceInfo &info = cohesive_faces.infos[i];

@@ -35,9 +35,8 @@ namespace
                                      body.internal_force.hot_cells());
   }
 
-  /** First Piola-Kirchhoff stress of one isotropic cell, by textbook. */
   Matrix
-  nominal_stress(const BreakingBody &body, const CellIndex cell)
+  deformation_gradient(const BreakingBody &body, const CellIndex cell)
   {
     Matrix f = {{{{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}}};
     for (unsigned int c = 0; c < n_corners; ++c)
@@ -50,11 +49,19 @@ namespace
           for (unsigned int d = 0; d < dim; ++d)
             f[i][d] += body.state.displacement[node][i] * g[d];
       }
+    return f;
+  }
+
+  /** Second Piola-Kirchhoff stress of one isotropic cell, by textbook. */
+  Matrix
+  second_stress(const BreakingBody &body, const CellIndex cell)
+  {
+    const Matrix              f = deformation_gradient(body, cell);
     const MaterialParameters &m = body.materials[body.topology.material(cell)];
     const double mu = m.youngs_modulus / (2 * (1 + m.poissons_ratio));
     const double lambda =
       2 * mu * m.poissons_ratio / (1 - 2 * m.poissons_ratio);
-    Matrix strain{}, p{};
+    Matrix strain{}, s{};
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = 0; j < dim; ++j)
         {
@@ -65,10 +72,14 @@ namespace
     const double trace = strain[0][0] + strain[1][1] + strain[2][2];
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = 0; j < dim; ++j)
-        for (unsigned int k = 0; k < dim; ++k)
-          p[i][j] +=
-            f[i][k] * (2 * mu * strain[k][j] + (k == j ? lambda * trace : 0));
-    return p;
+        s[i][j] = 2 * mu * strain[i][j] + (i == j ? lambda * trace : 0);
+    return s;
+  }
+
+  Matrix
+  nominal_stress(const BreakingBody &body, const CellIndex cell)
+  {
+    return deformation_gradient(body, cell) * second_stress(body, cell);
   }
 
   /**
@@ -108,12 +119,15 @@ namespace
   breaks(const BreakingBody &body, const FaceIndex face, const double share)
   {
     const auto &cells = body.topology.faces[face].cells;
-    Matrix      mean  = nominal_stress(body, cells[0]);
-    for (unsigned int i = 0; i < dim; ++i)
-      mean[i] = .5 * (mean[i] + nominal_stress(body, cells[1])[i]);
+    Matrix      mean{};
+    for (const CellIndex cell : cells)
+      for (unsigned int i = 0; i < dim; ++i)
+        mean[i] += .5 * second_stress(body, cell)[i];
     return excess(body, face) >= 0 ||
            (excess(body, face, share) >= 0 &&
-            some_plane_is_at_strength(mean, body.strengths.strength(face)));
+            some_plane_is_at_strength(
+              mean,
+              body.strengths.strength_of_all_planes(face)));
   }
 
   std::vector<FaceIndex>
@@ -248,6 +262,75 @@ TEST(Insertion, AgreesWithBruteForce)
   EXPECT_GT(n_found, 1000u);
   EXPECT_GT(n_tilted, 500u);
   EXPECT_GT(n_missed, 1000u);
+}
+
+// A body that has turned breaks at the same faces.
+TEST(Insertion, DoesNotDependOnTheOrientation)
+{
+  for (const double angle : {.5, M_PI / 2, M_PI})
+    {
+      CohesiveParameters parameters;
+      parameters.least_share = .3;
+      const auto found       = [&](const double turn) {
+        BreakingBody body(make_box({2, 2, 2}, edge, .2, 7),
+                          {granite()},
+                          .25,
+                          parameters);
+        Matrix       gradient{};
+        gradient[0][0] = -1.01 * 201.7e6 / 40.6e9;
+        gradient[1][1] = gradient[2][2] = -.2 * gradient[0][0];
+        strain(body, gradient);
+        for (NodeIndex i = 0; i < body.state.n_nodes(); ++i)
+          {
+            const Vector x = body.state.position(i);
+            const double c = std::cos(turn), s = std::sin(turn);
+            const Vector turned = {
+              {c * x[0] - s * x[1], s * x[0] + c * x[1], x[2]}};
+            for (unsigned int d = 0; d < dim; ++d)
+              body.state.displacement[i][d] =
+                turned[d] - body.state.reference[i][d];
+          }
+        return find_faces(body);
+      };
+      EXPECT_GT(found(0).size(), 20u);
+      EXPECT_EQ(found(angle), found(0));
+    }
+}
+
+// By (11b) the face breaks though the cell that is near its strength is not the
+// one that loads the face: tension along the face in a stiff cell, across it
+// and below the strength in a soft one.
+TEST(Insertion, ShareIsSeenFromBothSides)
+{
+  Body shape;
+  shape.vertices       = {{{0, 0, 0}},
+                          {{edge, 0, 0}},
+                          {{0, edge, 0}},
+                          {{0, 0, edge}},
+                          {{0, 0, -edge}}};
+  shape.cells          = {{0, {{0, 1, 2, 3}}, 0}, {0, {{0, 2, 1, 4}}, 1}};
+  auto stiff           = granite();
+  stiff.poissons_ratio = 0;
+  auto soft            = stiff;
+  soft.youngs_modulus  = .01 * stiff.youngs_modulus;
+  for (const double across : {.5, .65})
+    {
+      CohesiveParameters parameters;
+      parameters.least_share = .3;
+      BreakingBody body(shape, {stiff, soft}, .25, parameters);
+      const double of_strength =
+        granite_strength().tensile_strength / stiff.youngs_modulus;
+      // The soft cell lies below z = 0.
+      for (NodeIndex i = 0; i < body.state.n_nodes(); ++i)
+        {
+          body.state.displacement[i][0] =
+            2.01 * of_strength * body.state.reference[i][0];
+          body.state.displacement[i][2] =
+            100 * across * of_strength *
+            std::min<double>(body.state.reference[i][2], 0);
+        }
+      EXPECT_EQ(find_faces(body).size(), across > .6 ? 1u : 0u);
+    }
 }
 
 // The tractions of two cells that share one face are independent, so that the

@@ -221,7 +221,7 @@ TEST(MohrCoulomb, LanesAreLikeNumbers)
   CohesiveConstants<Simd>                constants{};
   for (unsigned int l = 0; l < batch_size; ++l)
     {
-      numbers[l].hold({{2e6 * l, 1e6 * l, 5e6}});
+      numbers[l].hold({{8e6 * l - 24e6, 1e6 * l, 5e6}});
       const auto &p                          = numbers[l].point;
       constants.stiffness[l]                 = slope;
       constants.tensile_strength[l]          = strength.tensile_strength;
@@ -239,7 +239,10 @@ TEST(MohrCoulomb, LanesAreLikeNumbers)
       lanes.shear_excess[l]    = p.shear_excess;
       lanes.inverse_opening[l] = p.inverse_opening;
       lanes.inverse_slip[l]    = p.inverse_slip;
+      lanes.debt[l]            = p.debt;
     }
+  const double first_debt = lanes.debt[0];
+  EXPECT_GT(first_debt, 0);
   const MohrCoulomb<StraightBranch> law;
   for (unsigned int i = 0; i < 20000; ++i)
     {
@@ -257,6 +260,7 @@ TEST(MohrCoulomb, LanesAreLikeNumbers)
       for (unsigned int l = 0; l < batch_size; ++l)
         {
           ASSERT_NEAR(lanes.softening[l], numbers[l].point.softening, 1e-11);
+          ASSERT_NEAR(lanes.debt[l], numbers[l].point.debt, 1e-9 * first_debt);
           for (unsigned int d = 0; d < 3; ++d)
             ASSERT_NEAR(lanes.traction[d][l],
                         numbers[l].point.traction[d],

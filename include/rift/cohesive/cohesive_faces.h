@@ -35,6 +35,9 @@ namespace rift
 
     /** Energies that a face was given when its nodes parted, J; GivenEnergy. */
     Simd given_fracture, given_friction;
+
+    /** Debts of a face that has been let go of, J. */
+    Simd unpaid;
   };
 
   /**
@@ -103,7 +106,7 @@ namespace rift
   {
     FaceName face;
     double   start_time, failure_time, area, fracture, friction;
-    double   given_fracture, given_friction;
+    double   given_fracture, given_friction, unpaid;
 
     std::array<CohesivePoint<double>, n_face_points> points;
   };

@@ -50,6 +50,13 @@ namespace rift
     strength(FaceIndex face) const;
 
     /**
+     * As strength(), but tensile strength and cohesion are those of the
+     * direction that has most of them: no plane bears more.
+     */
+    FaceStrength
+    strength_of_all_planes(FaceIndex face) const;
+
+    /**
      * Per material the stress below which none of its faces can break, on any
      * rank, with some margin; nothing for materials that do not break.
      */

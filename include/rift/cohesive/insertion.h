@@ -16,7 +16,7 @@ namespace rift
    * (doc/theory.md, eq. 11). The traction is the mean of the two cells'
    * nominal tractions P N, resolved along the current normal.
    *
-   * With a `least_share` below 1 a face also breaks when the mean stress of its
+   * With a `least_share` below 1 a face also breaks when the mean second Piola-Kirchhoff stress of its
    * two cells reaches the strength on some plane and the face itself bears at
    * least this share of its own strength (eq. 11b): tilted faces then no longer
    * hold a crack together that runs beside them.
@@ -44,8 +44,9 @@ namespace rift
   private:
     /**
      * Faces of a batch on which the stress of the cell itself comes near the
-     * least share of the smallest strength of its material, one bit for each
-     * lane: at a face that breaks that is so on one of its sides at least.
+     * smallest strength of its material, one bit for each lane: at a face that
+     * is at its strength that is so on one of its sides at least. All faces
+     * where less than that breaks them.
      */
     std::array<std::uint8_t, n_corners>
     near_strength(std::uint32_t                     batch,

@@ -243,7 +243,7 @@ namespace rift
   constexpr double excess_slope = .5;
 
   /** Part of the debt of a compressed point that is repaid in a step. */
-  constexpr double repayment = .01;
+  constexpr double repayment = .1;
 
   /**
    * Least separation over the jump strength / k. Any shorter, and a face would
@@ -387,7 +387,7 @@ namespace rift
     const Trial<Number>  trial(constants, jump);
     const Peaks<Number>  peaks = {constants.tensile_strength,
                                   cohesion,
-                                  constants.tan_friction_angle};
+                                  constants.friction_at(Number{} + 1.)};
     const Beyond<Number> over  = beyond(trial, peaks);
     yields = (over.normal > Number{}) | (over.shear > Number{});
     return elastic_traction(trial, peaks);
@@ -521,7 +521,8 @@ namespace rift
     const Number zero{};
     const Number pressure =
       max(constants.stiffness * (point.offset[0] - jump[0]), zero);
-    const auto pays = (point.debt > zero) & (pressure > zero);
+    // What has been paid too much comes back.
+    const auto pays = (point.debt * point.debt > zero) & (pressure > zero);
     if (!any(pays))
       return;
     const Number rest = sqrt(max(
