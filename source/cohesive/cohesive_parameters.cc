@@ -72,12 +72,11 @@ namespace rift
       prm,
       "Least share of strength",
       defaults.least_share,
-      "A face also breaks when the stress beside it reaches the "
-      "strength on some other plane, if the face itself bears at "
-      "least this share of its own strength. With 1 a face breaks "
-      "by itself alone, and meshes are stronger than the material, "
-      "in compression by nearly twice; 0.3 has given the "
-      "strength of Mohr and Coulomb. Units: 1.");
+      "A face also breaks when the stress beside it reaches the strength on "
+      "some other plane, if the face itself bears at least this share of its "
+      "own strength. With 1 a face breaks by itself alone, and meshes are "
+      "stronger than the material, most in compression with much friction. "
+      "With less, more faces open. Units: 1.");
     prm.declare_entry("Cohesive penalty",
                       to_text(defaults.penalty.value) + " E",
                       Patterns::Anything(),
