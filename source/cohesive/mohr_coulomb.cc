@@ -66,8 +66,8 @@ namespace rift
                                               part_of_fracture);
     }
 
-    /** Of an elastic branch with this traction, J/m^2: what GivenEnergy has, and
-     * what compression holds. */
+    /** Of an elastic branch with this traction, J/m^2: what GivenEnergy has,
+     * and what compression holds. */
     struct BranchEnergy
     {
       double fracture, friction, compression;

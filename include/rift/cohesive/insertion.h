@@ -16,10 +16,11 @@ namespace rift
    * (doc/theory.md, eq. 11). The traction is the mean of the two cells'
    * nominal tractions P N, resolved along the current normal.
    *
-   * With a `least_share` below 1 a face also breaks when the mean second Piola-Kirchhoff stress of its
-   * two cells reaches the strength on some plane and the face itself bears at
-   * least this share of its own strength (eq. 11b): tilted faces then no longer
-   * hold a crack together that runs beside them.
+   * With a `least_share` below 1 a face also breaks when the mean second
+   * Piola-Kirchhoff stress of its two cells reaches the strength on some plane
+   * and the face itself bears at least this share of its own strength (eq.
+   * 11b): tilted faces then no longer hold a crack together that runs beside
+   * them.
    *
    * The decision for a face depends on its two cells alone, so that all ranks
    * that see the face decide the same.

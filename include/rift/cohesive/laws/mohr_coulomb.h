@@ -203,9 +203,9 @@ namespace rift
     trial_of(const Number &traction, const Number &peak);
 
     /**
-     * Straight branches: draws a part of the debt from the body. The traction of
-     * a compressed point falls by as much elastic energy, at the same jump, and
-     * the body closes the face a little more (doc/theory.md, section 5).
+     * Straight branches: draws a part of the debt from the body. The traction
+     * of a compressed point falls by as much elastic energy, at the same jump,
+     * and the body closes the face a little more (doc/theory.md, eq. 19a).
      */
     template <typename Number>
     static void
