@@ -15,7 +15,7 @@ from rift_output import import_pyplot, np, read_series, read_table, read_vtu
 plt = import_pyplot()
 from matplotlib.collections import LineCollection
 
-UCS_RADIUS, UCS_HEIGHT, GAUGE_LENGTH, GAUGE_RADIUS = 0.01, 0.04, 0.02, 0.0098
+UCS_RADIUS, UCS_HEIGHT, GAUGE_LENGTH, GAUGE_RADIUS = 0.01, 0.04, 0.02, 0.0095
 DISC_DIAMETER, DISC_THICKNESS = 0.0408, 0.016
 
 

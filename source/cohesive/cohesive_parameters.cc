@@ -122,10 +122,13 @@ namespace rift
                            "Stiffness factor",
                            "this must be " + to_text(smallest_factor) +
                              " or more.");
-    if (!(least_share >= 0 && least_share <= 1))
+    // Below, nearly every face of a loaded region opens.
+    constexpr double smallest_share = .1;
+    if (!(least_share >= smallest_share && least_share <= 1))
       throw ParameterError(section,
                            "Least share of strength",
-                           "this must be between 0 and 1.");
+                           "this must be between " + to_text(smallest_share) +
+                             " and 1.");
     if (!(penalty.value > 0 && std::isfinite(penalty.value)))
       throw ParameterError(section,
                            "Cohesive penalty",

@@ -325,7 +325,8 @@ namespace rift
                              {section, "Cohesion"},
                              {section, "Fracture energy I"},
                              {section, "Fracture energy II"}},
-                            reason});
+                            reason + " whose strengths do not depend on the "
+                                     "direction"});
         break;
       case Elasticity::anisotropic:
         reason = "on an anisotropic material";

@@ -1,11 +1,13 @@
 // Waves in confined bars against d'Alembert's formula and Christoffel's
 // equation.
 
+#include "../support/barre_granite.h"
 #include "plane_wave.h"
 
 #include <gtest/gtest.h>
 
 using namespace rift;
+using test::barre_granite;
 using test::PlaneWave;
 
 namespace
@@ -21,19 +23,6 @@ namespace
     return material;
   }
 
-  // Barre granite, Pa: orthotropic, the axes normal to hardway, grain, rift.
-  MaterialParameters
-  barre_granite()
-  {
-    MaterialParameters material;
-    material.name       = "barre";
-    material.density    = 2660;
-    material.elasticity = MaterialParameters::Elasticity::anisotropic;
-    material.stiffness  = {{54.7e9, 8.08e9, 7.13e9, 0, 0,      0, 40.7e9,
-                            5.54e9, 0,      0,      0, 35.2e9, 0, 0,
-                            0,      15.5e9, 0,      0, 17.9e9, 0, 19.2e9}};
-    return material;
-  }
 } // namespace
 
 TEST(ConfinedBar, SpeedOfPWavesAndOrderOfTheError)

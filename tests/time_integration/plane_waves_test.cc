@@ -3,6 +3,7 @@
 #include <rift/material/wave_speeds.h>
 #include <rift/time_integration/central_difference.h>
 
+#include "../support/barre_granite.h"
 #include "../support/elastic_body.h"
 #include "../support/periodic_box.h"
 #include <gtest/gtest.h>
@@ -13,19 +14,6 @@ using namespace rift::test;
 namespace
 {
   using Vector = Vector3<double>;
-
-  MaterialParameters
-  barre_granite()
-  {
-    MaterialParameters material;
-    material.name       = "barre";
-    material.density    = 2660;
-    material.elasticity = MaterialParameters::Elasticity::anisotropic;
-    material.stiffness  = {{54.7e9, 8.08e9, 7.13e9, 0, 0,      0, 40.7e9,
-                            5.54e9, 0,      0,      0, 35.2e9, 0, 0,
-                            0,      15.5e9, 0,      0, 17.9e9, 0, 19.2e9}};
-    return material;
-  }
 
   /** With axes such that a direction, given in them, lies along x. */
   MaterialParameters
