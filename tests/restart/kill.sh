@@ -29,14 +29,34 @@ attempt() {
     ! kill -0 "$job" 2>/dev/null; do
     sleep .01
   done
+  local is_killed=false
   if [ $n_kills -lt "$repetitions" ]; then
+    is_killed=true
     delay=$((RANDOM * milliseconds / 32768 + 50))
     sleep $((delay / 1000)).$(printf %03d $((delay % 1000)))
     # shellcheck disable=SC2046
     kill -KILL $(processes_of_job "$ranks") 2>/dev/null
   fi
+  await_job 60
+  if [ -n "$is_hanging" ]; then
+    # It may also hang while it clears up. Not so rift.
+    [ $is_killed = true ] && [ -z "$(processes_of_job "$ranks")" ] ||
+      fail "after $n_kills kills rift hangs: $(cat said)"
+    kill -KILL "$job"
+  fi
   wait "$job" 2>/dev/null
   code=$?
+}
+
+# Waits for the job to end, but no longer than so many seconds.
+await_job() {
+  local i
+  is_hanging=
+  for ((i = 0; i < 10 * $1; ++i)); do
+    kill -0 "$job" 2>/dev/null || return 0
+    sleep .1
+  done
+  is_hanging=true
 }
 
 # Whether the last attempt has been killed. mpirun may end with another code: it
