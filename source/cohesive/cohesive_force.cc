@@ -46,7 +46,8 @@ namespace rift
                                const ReferenceCellData        &reference,
                                const FaceStrengths            &strengths,
                                const CohesiveParameters::Model model,
-                               FaceSlope                       slope)
+                               FaceSlope                       slope,
+                               const double                    least_share)
     : topology(topology)
     , reference(reference)
     , strengths(strengths)
@@ -54,6 +55,7 @@ namespace rift
     , law(law_of(model))
     , part_of_fracture(
         std::visit([](const auto &law) { return law.part_of_fracture; }, law))
+    , least_share(least_share)
     , index_of_face(topology.faces.size(), invalid_index)
   {
   }
@@ -229,15 +231,13 @@ namespace rift
     if (!any(lets_go))
       return;
 
-    CohesiveMemory &memory      = cohesive_faces.memories[batch.memory];
-    const Simd      recoverable = recoverable_energy(state, batch);
-    Simd            debt{};
-    for (unsigned int q = 0; q < n_face_points; ++q)
-      debt += quadrature.weight[q] * batch.area * memory.points[q].debt;
+    CohesiveMemory &memory  = cohesive_faces.memories[batch.memory];
+    const Simd      elastic = elastic_energy(state, batch);
+    const Simd      debt    = debt_of(batch);
     for (unsigned int lane = 0; lane < batch.n_faces; ++lane)
       if (lets_go[lane] && has_opened(b * batch_size + lane))
         {
-          memory.fracture[lane] += recoverable[lane] + debt[lane];
+          memory.fracture[lane] += elastic[lane];
           memory.unpaid[lane] += debt[lane];
           batch.area[lane] = 0;
           ++event_counter;
@@ -257,8 +257,8 @@ namespace rift
 
   template <typename Law>
   Simd
-  CohesiveForce::recoverable_energy(const State         &state,
-                                    const CohesiveBatch &batch) const
+  CohesiveForce::elastic_energy(const State         &state,
+                                const CohesiveBatch &batch) const
   {
     FaceTractions tractions;
     bool          yields;
@@ -278,21 +278,31 @@ namespace rift
             point.traction  = tractions[q];
           }
         energy += quadrature.weight[q] * batch.area *
-                  (Law::elastic_energy(point, batch.constants) - point.debt);
+                  Law::elastic_energy(point, batch.constants);
       }
     return energy;
   }
 
   Simd
-  CohesiveForce::recoverable_energy(const State         &state,
-                                    const CohesiveBatch &batch) const
+  CohesiveForce::elastic_energy(const State         &state,
+                                const CohesiveBatch &batch) const
   {
     return std::visit(
       [&](const auto &the_law) {
-        return recoverable_energy<std::decay_t<decltype(the_law)>>(state,
-                                                                   batch);
+        return elastic_energy<std::decay_t<decltype(the_law)>>(state, batch);
       },
       law);
+  }
+
+  Simd
+  CohesiveForce::debt_of(const CohesiveBatch &batch) const
+  {
+    Simd debt{};
+    if (batch.memory != invalid_index)
+      for (unsigned int q = 0; q < n_face_points; ++q)
+        debt += quadrature.weight[q] * batch.area *
+                cohesive_faces.memories[batch.memory].points[q].debt;
+    return debt;
   }
 
   CohesiveEnergy
@@ -301,8 +311,8 @@ namespace rift
     CohesiveEnergy energy;
     for (std::size_t b = 0; b < cohesive_faces.batches.size(); ++b)
       {
-        const CohesiveBatch &batch       = cohesive_faces.batches[b];
-        const Simd           recoverable = recoverable_energy(state, batch);
+        const CohesiveBatch &batch = cohesive_faces.batches[b];
+        const Simd recoverable = elastic_energy(state, batch) - debt_of(batch);
         for (unsigned int lane = 0; lane < batch.n_faces; ++lane)
           {
             const std::size_t i    = b * batch_size + lane;
@@ -318,11 +328,8 @@ namespace rift
             energy.recoverable.add(-memory->unpaid[lane]);
             // What the elastic branch was given at the start belongs to the
             // recoverable energy until the face has failed.
-            const bool has_failed = info.failure_time >= 0;
-            (has_failed ? energy.fracture : energy.recoverable)
-              .add(-memory->given_fracture[lane]);
-            (has_failed ? energy.friction : energy.recoverable)
-              .add(-memory->given_friction[lane]);
+            (info.failure_time >= 0 ? energy.fracture : energy.recoverable)
+              .add(-memory->given[lane]);
           }
       }
     return energy;
@@ -345,7 +352,7 @@ namespace rift
         ++opened;
         if (info.failure_time >= 0)
           ++failed;
-        if (is_separation_too_short(strengths.strength(info.face),
+        if (is_separation_too_short(strength_of(info),
                                     batch.constants.stiffness[i % batch_size],
                                     part_of_fracture))
           ++too_short;

@@ -137,12 +137,7 @@ namespace rift
     const Vector3<double> traction =
       (.5 / norm(area)) * (stresses[0] * area + stresses[1] * area);
 
-    std::array<Vector3<double>, 3> x;
-    for (unsigned int c = 0; c < 3; ++c)
-      x[c] = state.position(
-        topology.node(f.cells[0], face_corners[f.local_faces[0]][c]));
-    Vector3<double> normal = cross(x[1] - x[0], x[2] - x[0]);
-    normal                 = (1 / norm(normal)) * normal;
+    const Vector3<double> normal = current_normal(topology, state, f);
 
     const double       normal_stress = dot(traction, normal);
     const double       shear_stress  = norm(traction - normal_stress * normal);

@@ -66,11 +66,12 @@ namespace rift
                                               part_of_fracture);
     }
 
-    /** Of an elastic branch with this traction, J/m^2: what GivenEnergy has,
-     * and what compression holds. */
+    /** Of an elastic branch, J/m^2: what tension and the shear that the
+     * cohesion carries hold alone, and the rest, which there would not be
+     * without pressure. */
     struct BranchEnergy
     {
-      double fracture, friction, compression;
+      double tension, compression;
     };
 
     BranchEnergy
@@ -84,8 +85,9 @@ namespace rift
       const double friction = std::min(friction_coefficient * pressure, shear);
       const double cohesion = shear - friction;
       return {.5 * (tension * tension + cohesion * cohesion) / stiffness,
-              cohesion * friction / stiffness,
-              .5 * (pressure * pressure + friction * friction) / stiffness};
+              .5 *
+                (pressure * pressure + friction * (friction + 2 * cohesion)) /
+                stiffness};
     }
   } // namespace
 
@@ -126,7 +128,7 @@ namespace rift
            is_too_short(strength.cohesion, strength.fracture_energy_2);
   }
 
-  GivenEnergy
+  double
   hold_traction(CohesivePoint<double> &point,
                 const Vector3<double> &jump,
                 const Vector3<double> &more,
@@ -162,6 +164,6 @@ namespace rift
     const BranchEnergy had = energy_of(before, coefficient, stiffness);
     const BranchEnergy has = energy_of(t, coefficient, stiffness);
     point.debt += has.compression - had.compression;
-    return {has.fracture - had.fracture, has.friction - had.friction};
+    return has.tension - had.tension;
   }
 } // namespace rift

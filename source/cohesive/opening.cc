@@ -109,13 +109,15 @@ namespace rift
     for (FaceIndex face = 0; face < topology.faces.size(); ++face)
       if (topology.face_states[face] != FaceState::intact &&
           topology.needs_face(face))
-        activate(face, state);
+        activate(face, state, 1);
     for (CohesiveFaceInfo &info : cohesive_faces.infos)
       info.start_time = 0;
   }
 
   void
-  CohesiveForce::activate(const FaceIndex index, const State &state)
+  CohesiveForce::activate(const FaceIndex index,
+                          const State    &state,
+                          const double    share)
   {
     const std::size_t  i    = cohesive_faces.size();
     const unsigned int lane = i % batch_size;
@@ -129,7 +131,7 @@ namespace rift
         cohesive_faces.batches.push_back(empty);
       }
     index_of_face[index] = static_cast<std::uint32_t>(i);
-    cohesive_faces.infos.push_back({index, state.time, -1});
+    cohesive_faces.infos.push_back({index, state.time, -1, share});
     ++event_counter;
 
     CohesiveBatch &batch = cohesive_faces.batches.back();
@@ -139,7 +141,7 @@ namespace rift
       for (unsigned int d = 0; d < dim; ++d)
         batch.edges[e][d][lane] = state.reference[batch.minus[e + 1][lane]][d] -
                                   state.reference[batch.minus[0][lane]][d];
-    const FaceStrength       strength  = strengths.strength(index);
+    const FaceStrength       strength  = strength_of(cohesive_faces.infos[i]);
     CohesiveConstants<Simd> &constants = batch.constants;
     batch.area[lane]          = reference_area(topology, reference, index);
     batch.cohesion[lane]      = strength.cohesion;
@@ -169,10 +171,9 @@ namespace rift
   {
     const CohesiveBatch &batch = cohesive_faces.batches[i / batch_size];
     const unsigned int   lane  = i % batch_size;
-    const auto           point =
-      make_cohesive_point(strengths.strength(cohesive_faces.infos[i].face),
-                          batch.constants.stiffness[lane],
-                          part_of_fracture);
+    const auto point = make_cohesive_point(strength_of(cohesive_faces.infos[i]),
+                                           batch.constants.stiffness[lane],
+                                           part_of_fracture);
     for (unsigned int q = 0; q < n_face_points; ++q)
       set_point(cohesive_faces.memories[batch.memory], q, lane, point);
   }
@@ -212,13 +213,38 @@ namespace rift
           ++last;
         if (index_of_face[first->face] == invalid_index)
           {
-            activate(first->face, state);
+            activate(first->face,
+                     state,
+                     share_at_start(state, &*first, &*first + (last - first)));
             if (cohesive_faces.batches.back().memory == invalid_index)
               make_memory(cohesive_faces.batches.size() - 1);
           }
         hold(state, &*first, &*first + (last - first));
         first = last;
       }
+  }
+
+  double
+  CohesiveForce::share_at_start(const State         &state,
+                                const OpeningCorner *first,
+                                const OpeningCorner *last) const
+  {
+    if (least_share == 1)
+      return 1;
+    Vector3<double> traction = {{0, 0, 0}};
+    for (auto corner = first; corner != last; ++corner)
+      traction += corner->force;
+    traction = (3 / (reference_area(topology, reference, first->face) *
+                     (last - first))) *
+               traction;
+    const Vector3<double> normal =
+      current_normal(topology, state, topology.faces[first->face]);
+    const double normal_stress = dot(traction, normal);
+    return std::clamp(
+      strengths.strength(first->face)
+        .share_of(normal_stress, norm(traction - normal_stress * normal)),
+      least_share,
+      1.);
   }
 
   std::vector<Vector3<double>>
@@ -341,9 +367,8 @@ namespace rift
 
     // The functions 4 N_c - 1 are dual to the N_c: each loads its own corner
     // alone.
-    const double       area = batch.area[lane];
-    const FaceStrength strength =
-      strengths.strength(cohesive_faces.infos[index].face);
+    const double       area     = batch.area[lane];
+    const FaceStrength strength = strength_of(cohesive_faces.infos[index]);
     for (unsigned int q = 0; q < n_face_points; ++q)
       {
         Vector3<double> more = {{0, 0, 0}}, jump;
@@ -353,13 +378,11 @@ namespace rift
         for (unsigned int d = 0; d < dim; ++d)
           jump[d] = jumps[d][lane];
 
-        auto              point     = get_point(memory, q, lane);
-        const double      stiffness = batch.constants.stiffness[lane];
-        const double      weight    = quadrature.weight[q] * area;
-        const GivenEnergy given =
+        auto         point     = get_point(memory, q, lane);
+        const double stiffness = batch.constants.stiffness[lane];
+        memory.given[lane] +=
+          quadrature.weight[q] * area *
           hold_traction(point, jump, more, strength, stiffness);
-        memory.given_fracture[lane] += weight * given.fracture;
-        memory.given_friction[lane] += weight * given.friction;
         set_point(memory, q, lane, point);
       }
   }

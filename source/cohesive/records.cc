@@ -21,11 +21,11 @@ namespace rift
         CohesiveFaceRecord    record{topology.face_name(info.face),
                                   info.start_time,
                                   info.failure_time,
+                                  info.share,
                                   batch.area[lane],
                                   memory.fracture[lane],
                                   memory.friction[lane],
-                                  memory.given_fracture[lane],
-                                  memory.given_friction[lane],
+                                  memory.given[lane],
                                   memory.unpaid[lane],
                                   {}};
         for (unsigned int q = 0; q < n_face_points; ++q)
@@ -54,19 +54,18 @@ namespace rift
         if (face == invalid_index || !topology.needs_face(face))
           continue;
         if (index_of_face[face] == invalid_index)
-          activate(face, state);
+          activate(face, state, record.share);
         const std::uint32_t i     = index_of_face[face];
         CohesiveBatch      &batch = cohesive_faces.batches[i / batch_size];
         if (batch.memory == invalid_index)
           make_memory(i / batch_size);
-        CohesiveMemory    &memory   = cohesive_faces.memories[batch.memory];
-        const unsigned int lane     = i % batch_size;
-        batch.area[lane]            = record.area;
-        memory.fracture[lane]       = record.fracture;
-        memory.friction[lane]       = record.friction;
-        memory.given_fracture[lane] = record.given_fracture;
-        memory.given_friction[lane] = record.given_friction;
-        memory.unpaid[lane]         = record.unpaid;
+        CohesiveMemory    &memory = cohesive_faces.memories[batch.memory];
+        const unsigned int lane   = i % batch_size;
+        batch.area[lane]          = record.area;
+        memory.fracture[lane]     = record.fracture;
+        memory.friction[lane]     = record.friction;
+        memory.given[lane]        = record.given;
+        memory.unpaid[lane]       = record.unpaid;
         for (unsigned int q = 0; q < n_face_points; ++q)
           set_point(memory, q, lane, record.points[q]);
         CohesiveFaceInfo &info = cohesive_faces.infos[i];

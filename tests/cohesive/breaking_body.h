@@ -116,7 +116,8 @@ namespace rift::test
                                           discrete.reference,
                                           stiffnesses_of(materials),
                                           densities_of(materials),
-                                          critical.frequency_squared))
+                                          critical.frequency_squared),
+              parameters.least_share)
     {
       internal_force.watch(strengths.stress_bounds());
       activity.wake_all(topology);

@@ -60,7 +60,7 @@ namespace rift::test
     {
       given =
         hold_traction(point, jump, traction, strength, constants.stiffness);
-      return given.fracture + given.friction + point.debt;
+      return given + point.debt;
     }
 
     double
@@ -74,7 +74,7 @@ namespace rift::test
     CohesiveConstants<double> constants;
     Vector                    jump = {{0, 0, 0}};
     double                    work = 0, fracture = 0, friction = 0;
-    GivenEnergy               given{};
+    double                    given = 0;
   };
 
   /** In the extrinsic model. */

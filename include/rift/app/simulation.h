@@ -113,7 +113,12 @@ namespace rift
                const FaceSlope                       &slope,
                const Communicator                    &communicator)
         : strengths(topology, reference, materials, parameters, communicator)
-        , force(topology, reference, strengths, parameters.model, slope)
+        , force(topology,
+                reference,
+                strengths,
+                parameters.model,
+                slope,
+                parameters.least_share)
       {
       }
 

@@ -33,8 +33,9 @@ namespace rift
     /** Energies of a face that fracture and friction have used up, J. */
     Simd fracture, friction;
 
-    /** Energies that a face was given when its nodes parted, J; GivenEnergy. */
-    Simd given_fracture, given_friction;
+    /** Energy besides debts that a face was given when its nodes parted, J;
+     * hold_traction(). */
+    Simd given;
 
     /** Debts of a face that has been let go of, J. */
     Simd unpaid;
@@ -73,6 +74,9 @@ namespace rift
     /** Times at which the first nodes parted (0 in the intrinsic model) and at
      * which the face failed, s; the latter is negative before. */
     double start_time, failure_time;
+
+    /** What of the strength of its plane it has; doc/theory.md, eq. 11c. */
+    double share;
   };
 
   /**
@@ -105,8 +109,8 @@ namespace rift
   struct CohesiveFaceRecord
   {
     FaceName face;
-    double   start_time, failure_time, area, fracture, friction;
-    double   given_fracture, given_friction, unpaid;
+    double   start_time, failure_time, share, area, fracture, friction;
+    double   given, unpaid;
 
     std::array<CohesivePoint<double>, n_face_points> points;
   };

@@ -25,7 +25,8 @@ namespace rift
   /** Energies of the cohesive elements that this rank owns, J. */
   struct CohesiveEnergy
   {
-    /** Elastic, less what the faces were given when they began to open. */
+    /** Elastic, less what the faces were given when they began to open and
+     * have not drawn from the body since. */
     ExactSum recoverable;
     ExactSum fracture;
     ExactSum friction;
@@ -65,12 +66,16 @@ namespace rift
     /**
      * @param model extrinsic or intrinsic.
      * @param slope of the elastic branches.
+     * @param least_share of its strength with which a face may begin to open,
+     *   see Insertion; faces that bear less than all of it then are as weak as
+     *   that (doc/theory.md, eq. 11c).
      */
     CohesiveForce(Topology                 &topology,
                   const ReferenceCellData  &reference,
                   const FaceStrengths      &strengths,
                   CohesiveParameters::Model model,
-                  FaceSlope                 slope);
+                  FaceSlope                 slope,
+                  double                    least_share = 1);
 
     /**
      * Intrinsic model: has all faces that have been cut carry a cohesive
@@ -220,7 +225,21 @@ namespace rift
     for_each_cut_face(VertexIndex vertex, const Function &f) const;
 
     void
-    activate(FaceIndex face, const State &state);
+    activate(FaceIndex face, const State &state, double share);
+
+    /** What the strength of a face is times, by the forces on the corners with
+     * which it begins to open. */
+    double
+    share_at_start(const State         &state,
+                   const OpeningCorner *first,
+                   const OpeningCorner *last) const;
+
+    /** Strength of a cohesive element, its share included. */
+    FaceStrength
+    strength_of(const CohesiveFaceInfo &info) const
+    {
+      return strengths.strength(info.face).times(info.share);
+    }
 
     /** Gives a batch a memory in which nothing has happened yet. */
     void
@@ -279,13 +298,17 @@ namespace rift
     static void
     scatter(const CohesiveBatch &batch, const FaceForces &forces, State &state);
 
-    /** Elastic energies of the faces of a batch less their debts, J. */
+    /** Elastic energies of the faces of a batch, J. */
     template <typename Law>
     Simd
-    recoverable_energy(const State &state, const CohesiveBatch &batch) const;
+    elastic_energy(const State &state, const CohesiveBatch &batch) const;
 
     Simd
-    recoverable_energy(const State &state, const CohesiveBatch &batch) const;
+    elastic_energy(const State &state, const CohesiveBatch &batch) const;
+
+    /** Debts of the faces of a batch, J; CohesivePoint::debt. */
+    Simd
+    debt_of(const CohesiveBatch &batch) const;
 
     void
     note_failures(std::size_t batch_number, double time);
@@ -325,6 +348,7 @@ namespace rift
     const FaceSlope          slope;
     const AnyLaw             law;
     const double             part_of_fracture;
+    const double             least_share;
     const FaceQuadrature     quadrature;
 
     CohesiveFaces cohesive_faces;

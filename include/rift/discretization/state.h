@@ -2,6 +2,7 @@
 #define rift_discretization_state_h
 
 #include <rift/base/simd.h>
+#include <rift/mesh/mesh_data.h>
 #include <rift/mesh/node_splitter.h>
 
 #include <vector>
@@ -83,6 +84,19 @@ namespace rift
           for_each_vector([&](auto &v) { v[part] = v[split.parts[0]]; });
     }
   };
+
+  /** Unit normal of the current place of an interior face, as its first cell
+   * has it: outward from that cell. */
+  inline Vector3<double>
+  current_normal(const Topology &topology, const State &state, const Face &face)
+  {
+    std::array<Vector3<double>, 3> x;
+    for (unsigned int c = 0; c < 3; ++c)
+      x[c] = state.position(
+        topology.node(face.cells[0], face_corners[face.local_faces[0]][c]));
+    const Vector3<double> normal = cross(x[1] - x[0], x[2] - x[0]);
+    return (1 / norm(normal)) * normal;
+  }
 } // namespace rift
 
 #endif

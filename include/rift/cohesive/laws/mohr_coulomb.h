@@ -5,6 +5,8 @@
 #include <rift/cohesive/laws/elastic_branch.h>
 #include <rift/cohesive/laws/softening.h>
 
+#include <algorithm>
+
 namespace rift
 {
   /** Strength of an interior face. */
@@ -19,6 +21,29 @@ namespace rift
 
     /** Fracture energies of modes I and II, J/m^2. */
     double fracture_energy_1, fracture_energy_2;
+
+    /** With a share of the strength and of the friction, but the whole fracture
+     * energies. */
+    FaceStrength
+    times(const double share) const
+    {
+      return {share * tensile_strength,
+              share * cohesion,
+              share * tan_friction_angle,
+              share * residual_friction,
+              fracture_energy_1,
+              fracture_energy_2};
+    }
+
+    /** Part of the strength of eq. (11) that a plane bears, for its normal
+     * stress (tension positive) and its shear stress, Pa. */
+    double
+    share_of(const double normal, const double shear) const
+    {
+      return std::max(normal / tensile_strength,
+                      shear /
+                        (cohesion - std::min(normal, 0.) * tan_friction_angle));
+    }
   };
 
   /**
@@ -50,7 +75,7 @@ namespace rift
     /** One over the opening and the slip of full separation, 1/m. */
     Number inverse_opening, inverse_slip;
 
-    /** What of the elastic energy per area was held under pressure from the
+    /** What of the elastic energy per area was there by pressure from the
      * start and has not been drawn from the body yet, J/m^2; see repay(). */
     Number debt;
   };
@@ -274,31 +299,19 @@ namespace rift
                       double              part_of_fracture);
 
   /**
-   * Energies per area that an elastic branch holds without having drawn them
-   * from the body, J/m^2: by what will use them up.
-   */
-  struct GivenEnergy
-  {
-    /** Tension and what of the shear the cohesion carries. */
-    double fracture;
-
-    /** What of the shear friction will have used up once there is nothing but
-     * friction. */
-    double friction;
-  };
-
-  /**
    * For straight branches: gives a point more traction than it had at its last
    * update. The force that held two nodes together until now passes to the
    * face, so that the start is continuous in time (doc/theory.md, section 5).
-   * What is above the strength becomes excess, what compression holds becomes
-   * debt. Separations are adapted so that
-   * the energy drawn from the body remains the fracture energy.
+   * What is above the strength becomes excess. Of the elastic energy, what
+   * there is by compression becomes debt. Separations are adapted so that the
+   * energy drawn from the body remains the fracture energy.
    *
    * @param jump now, m; the body may have moved since the last update.
-   * @return what comes with the traction besides the debt.
+   * @return the elastic energy per area that comes with the traction besides
+   *   the debt, J/m^2: that of tension, and of the shear that the cohesion
+   *   carries. Fracture will use it up.
    */
-  GivenEnergy
+  double
   hold_traction(CohesivePoint<double> &point,
                 const Vector3<double> &jump,
                 const Vector3<double> &more,
