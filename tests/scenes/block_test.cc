@@ -112,13 +112,17 @@ namespace
     return pulse;
   }
 
-  /** Sends the pulse of a wave and compares its speed. */
+  /** Sends the pulse of a wave and compares its speed.
+   * @param cells edge of the cubes that the cells come from, m. */
   void
-  send(const std::string &scene, const unsigned int wave)
+  send(const std::string &scene,
+       const unsigned int wave,
+       const std::string &cells = "1.2e-3")
   {
     TemporaryDirectory directory;
     Parameters         parameters =
-      read_parameters(RIFT_SOURCE_DIRECTORY "/prm/barre/" + scene);
+      read_parameters(RIFT_SOURCE_DIRECTORY "/prm/barre/" + scene,
+                      {"Mesh/Element size=" + cells});
     parameters.output.directory = directory / "results";
     Log        log(nullptr);
     Simulation simulation(parameters, log);
@@ -141,7 +145,7 @@ namespace
 
 TEST(BarreBlock, SpeedOfThePWave)
 {
-  send("block_p.prm", 0);
+  send("block_p.prm", 0, "1.6e-3");
 }
 
 TEST(BarreBlock, SpeedOfTheFasterSWave)
