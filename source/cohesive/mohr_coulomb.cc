@@ -38,8 +38,8 @@ namespace rift
                           shortest_separation * mode.strength / stiffness);
     }
 
-    /** @param tension, shear what the point carries by its strength, Pa: the
-     * shear without what friction bears. */
+    /** @param tension, shear tractions with the energy that the point has been
+     * given, Pa. */
     void
     set_separations(CohesivePoint<double> &point,
                     const double           tension,
@@ -66,28 +66,40 @@ namespace rift
                                               part_of_fracture);
     }
 
-    /** Of an elastic branch, J/m^2: what tension and the shear that the
-     * cohesion carries hold alone, and the rest, which there would not be
-     * without pressure. */
+    /** Of an elastic branch, J/m^2: what fracture will use up, and what the
+     * body can repay since the face is under pressure. */
     struct BranchEnergy
     {
-      double tension, compression;
+      double given, owed;
     };
+
+    /**
+     * Shear traction that has the energy which is given, Pa. Without pressure
+     * that is all; with a pressure like the shear that the cohesion carries the
+     * body can repay all. In between, what is owed falls with the pressure, so
+     * that the closing that repays it has a bound.
+     */
+    double
+    given_shear(const Vector3<double> &traction,
+                const double           friction_coefficient)
+    {
+      const double pressure = std::max(-traction[0], 0.);
+      const double cohesion = std::max(std::hypot(traction[1], traction[2]) -
+                                         friction_coefficient * pressure,
+                                       0.);
+      return std::sqrt(cohesion * std::max(cohesion - pressure, 0.));
+    }
 
     BranchEnergy
     energy_of(const Vector3<double> &traction,
               const double           friction_coefficient,
               const double           stiffness)
     {
-      const double tension  = std::max(traction[0], 0.);
-      const double pressure = std::max(-traction[0], 0.);
-      const double shear    = std::hypot(traction[1], traction[2]);
-      const double friction = std::min(friction_coefficient * pressure, shear);
-      const double cohesion = shear - friction;
-      return {.5 * (tension * tension + cohesion * cohesion) / stiffness,
-              .5 *
-                (pressure * pressure + friction * (friction + 2 * cohesion)) /
-                stiffness};
+      const double tension = std::max(traction[0], 0.);
+      const double shear   = given_shear(traction, friction_coefficient);
+      const double given   = .5 * (tension * tension + shear * shear);
+      return {given / stiffness,
+              (.5 * dot(traction, traction) - given) / stiffness};
     }
   } // namespace
 
@@ -157,13 +169,13 @@ namespace rift
     point.offset -= (1 / stiffness) * more;
     set_separations(point,
                     t[0],
-                    shear,
+                    given_shear(t, coefficient),
                     strength,
                     stiffness,
                     StraightBranch::part_of_fracture);
     const BranchEnergy had = energy_of(before, coefficient, stiffness);
     const BranchEnergy has = energy_of(t, coefficient, stiffness);
-    point.debt += has.compression - had.compression;
-    return has.tension - had.tension;
+    point.debt += has.owed - had.owed;
+    return has.given - had.given;
   }
 } // namespace rift

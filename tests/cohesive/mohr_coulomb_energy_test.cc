@@ -76,9 +76,9 @@ TEST(MohrCoulomb, WhatNodesTransmittedDoesNotChangeTheEnergy)
     }
 }
 
-// Under pressure the gift goes two ways: that of the shear which the cohesion
-// carries is taken off fracture, and what there is by compression is repaid by a
-// body that keeps up the pressure.
+// Under pressure the gift goes two ways: a part of what the shear has that the
+// cohesion carries is taken off fracture, the less the more pressure there is; the
+// rest is repaid by a body that keeps up the pressure.
 TEST(MohrCoulomb, WhatNodesTransmittedUnderPressureIsSharedOut)
 {
   for (const double pressure : {20e6, 100e6})
@@ -86,6 +86,7 @@ TEST(MohrCoulomb, WhatNodesTransmittedUnderPressureIsSharedOut)
       Specimen     specimen;
       const double friction = strength.tan_friction_angle * pressure;
       const double shear    = .9 * (strength.cohesion + friction);
+      const double cohesion = shear - friction;
       const double gift     = specimen.hold({{-pressure, shear, 0}});
       const double debt     = specimen.point.debt;
       EXPECT_NEAR(gift,
@@ -93,7 +94,7 @@ TEST(MohrCoulomb, WhatNodesTransmittedUnderPressureIsSharedOut)
                   1e-12 * gift);
       EXPECT_NEAR(debt,
                   (std::pow(pressure, 2) + std::pow(shear, 2) -
-                   std::pow(shear - friction, 2)) /
+                   cohesion * std::max(cohesion - pressure, 0.)) /
                     (2 * slope),
                   1e-12 * gift);
       const auto press = [&] {

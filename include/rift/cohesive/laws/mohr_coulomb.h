@@ -75,8 +75,8 @@ namespace rift
     /** One over the opening and the slip of full separation, 1/m. */
     Number inverse_opening, inverse_slip;
 
-    /** What of the elastic energy per area was there by pressure from the
-     * start and has not been drawn from the body yet, J/m^2; see repay(). */
+    /** What of the elastic energy per area a point under pressure had from the
+     * start and has not drawn from the body yet, J/m^2; see repay(). */
     Number debt;
   };
 
@@ -228,7 +228,7 @@ namespace rift
     trial_of(const Number &traction, const Number &peak);
 
     /**
-     * Straight branches: draws a part of the debt from the body. The traction
+     * Straight branches: draws a part of the debt from the body. The pressure
      * of a compressed point falls by as much elastic energy, at the same jump,
      * and the body closes the face a little more (doc/theory.md, eq. 19a).
      */
@@ -267,7 +267,8 @@ namespace rift
   /** Decline of the excess with the jump, over the slope of the branch. */
   constexpr double excess_slope = .5;
 
-  /** Part of the debt of a compressed point that is repaid in a step. */
+  /** Part of the debt of a compressed point that is repaid in a step, and the
+   * largest part of its pressure that goes with it. */
   constexpr double repayment = .1;
 
   /**
@@ -302,14 +303,14 @@ namespace rift
    * For straight branches: gives a point more traction than it had at its last
    * update. The force that held two nodes together until now passes to the
    * face, so that the start is continuous in time (doc/theory.md, section 5).
-   * What is above the strength becomes excess. Of the elastic energy, what
-   * there is by compression becomes debt. Separations are adapted so that the
+   * What is above the strength becomes excess. Of the elastic energy, what the
+   * pressure lets the body repay becomes debt. Separations are adapted so that the
    * energy drawn from the body remains the fracture energy.
    *
    * @param jump now, m; the body may have moved since the last update.
    * @return the elastic energy per area that comes with the traction besides
-   *   the debt, J/m^2: that of tension, and of the shear that the cohesion
-   *   carries. Fracture will use it up.
+   *   the debt, J/m^2: that of tension, and under little pressure that of the
+   *   shear which the cohesion carries. Fracture will use it up.
    */
   double
   hold_traction(CohesivePoint<double> &point,
@@ -538,9 +539,11 @@ namespace rift
     const auto pays = (point.debt * point.debt > zero) & (pressure > zero);
     if (!any(pays))
       return;
-    const Number rest = sqrt(max(
-      pressure * pressure - (2 * repayment) * constants.stiffness * point.debt,
-      zero));
+    const Number rest =
+      max(sqrt(max(pressure * pressure -
+                     (2 * repayment) * constants.stiffness * point.debt,
+                   zero)),
+          (1 - repayment) * pressure);
     // By the trapezoidal rule, as the central differences do their work.
     const Number closing = (pressure - rest) / constants.stiffness;
     const Number paid    = .5 * (rest - point.traction[0]) * closing;
