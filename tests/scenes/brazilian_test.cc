@@ -159,6 +159,30 @@ TEST(Uniaxial, GaugesGiveTheConstantsBack)
   EXPECT_NEAR(lateral / axial / .2, 1, .02);
 }
 
+// By (11c) the cylinder fails where faces that start elastic would let it yield
+// and harden: the stress reaches the strength of Mohr and Coulomb, and falls.
+TEST(Uniaxial, CylinderFails)
+{
+  const auto   probes = run("brazilian/ucs.prm",
+                          {"Mesh/Element size=3e-3",
+                             "Time/End time=165e-6",
+                             platen("upper platen", -1),
+                             platen("lower platen", 1)});
+  const double phi    = 50 * M_PI / 180;
+  const double strength =
+    2 * 36.7e6 * std::cos(phi) / (1 - std::sin(phi)) * M_PI * .01 * .01;
+  const auto &upper = probes.at("upper force"),
+             &lower = probes.at("lower force");
+  double force = 0, largest = 0;
+  for (std::size_t i = 0; i < upper.size(); ++i)
+    {
+      force   = .5 * (std::abs(upper[i]) + std::abs(lower[i]));
+      largest = std::max(largest, force);
+    }
+  EXPECT_NEAR(largest / strength, 1, .05);
+  EXPECT_LT(force, .5 * largest);
+}
+
 // Of the cube of prm/contact: with (11b) about that of Mohr and Coulomb.
 TEST(Uniaxial, StrengthIsThatOfMohrAndCoulomb)
 {
