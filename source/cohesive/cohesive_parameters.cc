@@ -74,9 +74,9 @@ namespace rift
       defaults.least_share,
       "A face also breaks when the stress beside it reaches the strength on "
       "some other plane, if the face itself bears at least this share of its "
-      "own strength. With 1 a face breaks by itself alone, and meshes are "
-      "stronger than the material, most in compression with much friction. "
-      "With less, more faces open. Units: 1.");
+      "own strength; it is then as weak as what it bears. With 1 a face breaks "
+      "by itself alone, and meshes are stronger than the material, most in "
+      "compression with much friction. With less, more faces open. Units: 1.");
     prm.declare_entry("Cohesive penalty",
                       to_text(defaults.penalty.value) + " E",
                       Patterns::Anything(),
