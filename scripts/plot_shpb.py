@@ -78,53 +78,76 @@ class Pulse:
         self.rise = (up[2] - up[0]) / 0.8
         self.duration = self.fall = None
         # Unless the run ends before.
-        if stress[last:].min() < 0.1 * self.height:
-            down = [crossing(time, stress, level * self.height, (first + last) // 2)
-                    for level in (0.1, 0.5, 0.9)]
-            self.fall = (down[0] - down[2]) / 0.8
-            self.duration = down[1] - up[1]
+        lowest, middle = stress[last:].min() / self.height, (first + last) // 2
+        if lowest < 0.5:
+            self.duration = crossing(time, stress, 0.5 * self.height, middle) - up[1]
+        if lowest < 0.1:
+            down = [crossing(time, stress, level * self.height, middle)
+                    for level in (0.1, 0.9)]
+            self.fall = (down[0] - down[1]) / 0.8
 
 
 class Disc:
-    """Indirect tensile stress, Pa, of the force on one side, its first peak (after
-    which it falls by 5 %), and its rate between 30 and 70 % of that, from a
-    straight line."""
+    """Indirect tensile stress, Pa, of the force on the side of the transmission
+    bar, its first peak (after which it falls by 5 %), and its rate between 30 and
+    70 % of that, from a straight line."""
 
     def __init__(self, time, force):
         self.stress = TENSION_OF_FORCE * force
         highest = np.maximum.accumulate(self.stress)
         fallen = (self.stress < 0.95 * highest) & (highest > 0.2 * highest[-1])
         end = np.argmax(fallen) if fallen.any() else len(time)
-        at_peak = np.argmax(self.stress[:end])
-        self.peak, self.peak_time = self.stress[at_peak], time[at_peak]
-        self.start = time[np.argmax(self.stress > 0.05 * self.peak)]
-        rising = np.flatnonzero(self.stress[:at_peak] < 0.3 * self.peak)[-1] + 1
-        end = rising + np.argmax(self.stress[rising:] > 0.7 * self.peak)
-        self.rate = np.polyfit(time[rising:end], self.stress[rising:end], 1)[0]
+        self.at_peak = np.argmax(self.stress[:end])
+        self.peak, self.peak_time = self.stress[self.at_peak], time[self.at_peak]
+        self.start = time[self.rising(0.05)]
+        part = slice(self.rising(0.3), self.rising(0.7))
+        self.rate = np.polyfit(time[part], self.stress[part], 1)[0]
+
+    def rising(self, share):
+        """Index at which the stress has come to this share of the peak for good."""
+        below = self.stress[:self.at_peak] < share * self.peak
+        return np.flatnonzero(below)[-1] + 1
 
     def mean_rate(self):
         return self.peak / (self.peak_time - self.start)
 
 
-def print_table(pulse, incident_side, transmission_side, imbalance, summary):
+class Balance:
+    """P1/P2 over time from a tenth of the first peak of P2 on; elsewhere nan."""
+
+    def __init__(self, forces, disc):
+        from_tenth = disc.rising(0.1)
+        self.ratio = np.full(len(forces[0]), np.nan)
+        self.ratio[from_tenth:] = forces[0][from_tenth:] / forces[1][from_tenth:]
+        self.at_half = self.ratio[disc.rising(0.5)]
+        self.at_peak = self.ratio[disc.at_peak]
+        until = slice(from_tenth, disc.at_peak)
+        self.mean = (np.abs(forces[0] - forces[1])[until].mean() /
+                     forces[1][until].mean())
+
+
+def print_table(pulse, disc, balance, summary):
     rise, plateau, fall = MEASURED_PULSE[1]
     rows = [("incident stress, MPa", f"{1e-6 * pulse.height:.1f}",
              f"{1e-6 * MEASURED_PULSE[0]:.0f}"),
             ("its rise, us", f"{1e6 * pulse.rise:.1f}", f"{1e6 * rise:.0f}")]
     if pulse.duration:
         rows += [("its duration at half height, us", f"{1e6 * pulse.duration:.1f}",
-                  f"{1e6 * (plateau + 0.5 * (rise + fall)):.0f}"),
-                 ("its fall, us", f"{1e6 * pulse.fall:.1f}", f"{1e6 * fall:.0f}")]
+                  f"{1e6 * (plateau + 0.5 * (rise + fall)):.0f}")]
+    if pulse.fall:
+        rows += [("its fall, us", f"{1e6 * pulse.fall:.1f}", f"{1e6 * fall:.0f}")]
     rows += [
-        ("first peak of 2 P2/(pi D t), MPa", f"{1e-6 * transmission_side.peak:.1f}",
+        ("first peak of 2 P2/(pi D t), MPa", f"{1e-6 * disc.peak:.1f}",
          f"{1e-6 * MEASURED_PEAK:.1f}"),
-        ("of 2 P1/(pi D t)", f"{1e-6 * incident_side.peak:.1f}", ""),
+        ("its time, us", f"{1e6 * disc.peak_time:.1f}", ""),
+        ("P1/P2 at half of the peak, on the way up", f"{balance.at_half:.2f}", ""),
+        ("P1/P2 at the peak", f"{balance.at_peak:.2f}", ""),
         ("rate of 2 P2/(pi D t), 30 to 70 % of the peak, GPa/s",
-         f"{1e-9 * transmission_side.rate:.0f}", f"{1e-9 * MEASURED_RATE:.0f}"),
+         f"{1e-9 * disc.rate:.0f}", f"{1e-9 * MEASURED_RATE:.0f}"),
         ("the peak over the time since 5 % of it, GPa/s",
-         f"{1e-9 * transmission_side.mean_rate():.0f}", ""),
+         f"{1e-9 * disc.mean_rate():.0f}", ""),
         ("mean of |P1 - P2| over that of P2, from 10 % of the peak on",
-         f"{imbalance:.2f}", ""),
+         f"{balance.mean:.2f}", ""),
         ("residual of the ledger", f"{summary['energy_residual_relative']:.1e}", ""),
         ("cells, steps, wall time", f"{summary['cells']}, {summary['steps']}, "
          f"{summary['wall_seconds']:.0f} s", "")]
@@ -149,15 +172,21 @@ def plot_waves(axes, waves, pulse):
              xlim=(1e6 * start - 20, time[-1]))
 
 
-def plot_forces(axes, waves, sides):
+def plot_forces(axes, waves, disc, balance):
     time = 1e6 * waves.time
-    for side, name in zip(sides, ("P1, incident bar", "P2, transmission bar")):
-        axes.plot(time, 1e-6 * side.stress, label=name)
+    for force, name in zip(waves.forces(),
+                           ("P1, incident bar", "P2, transmission bar")):
+        axes.plot(time, 1e-6 * TENSION_OF_FORCE * force, label=name)
+    axes.plot([], [], "C2", linewidth=0.9, label="P1/P2 (right scale)")
+    ratio = axes.twinx()
+    ratio.plot(time, balance.ratio, "C2", linewidth=0.9)
+    ratio.axhline(1, color="C2", linestyle=":", linewidth=0.9)
+    ratio.set(ylim=(0, 4), ylabel="P1/P2")
     axes.axhline(1e-6 * MEASURED_PEAK, color="k", linestyle=":",
                  label="measured peak")
     axes.set(title="2 P/(pi D t)", xlabel="time (us)",
              ylabel="indirect tensile stress (MPa)",
-             xlim=(1e6 * sides[1].peak_time - 60, time[-1]))
+             xlim=(1e6 * disc.peak_time - 60, time[-1]))
 
 
 def plot_cracks(axes, results, time):
@@ -182,12 +211,10 @@ def main(results, figure):
     waves = Waves(results)
     pulse = Pulse(waves.gauge_time, waves.pulse)
     forces = waves.forces()
-    sides = [Disc(waves.time, force) for force in forces]
-    # From a tenth of the peak on.
-    until = (waves.time < sides[1].peak_time) & (sides[1].stress > 0.1 * sides[1].peak)
-    imbalance = (np.abs(forces[0] - forces[1])[until].mean() / forces[1][until].mean())
+    disc = Disc(waves.time, forces[1])
+    balance = Balance(forces, disc)
     summary = read_summary(results)
-    print_table(pulse, *sides, imbalance, summary)
+    print_table(pulse, disc, balance, summary)
 
     with_cracks = os.path.exists(f"{results}/fracture.pvd")
     n_rows = 2 if with_cracks else 1
@@ -195,12 +222,12 @@ def main(results, figure):
                                layout="constrained")
     axes = axes.ravel()
     plot_waves(axes[0], waves, pulse)
-    plot_forces(axes[1], waves, sides)
+    plot_forces(axes[1], waves, disc, balance)
     for curves in axes[:2]:
         curves.grid(alpha=.3)
-        curves.legend(fontsize=8)
+        curves.legend(fontsize=8, loc="upper left")
     if with_cracks:
-        plot_cracks(axes[2], results, sides[1].peak_time)
+        plot_cracks(axes[2], results, disc.peak_time)
         plot_cracks(axes[3], results, summary["time"])
     plots.savefig(figure, dpi=80)
 
