@@ -14,7 +14,7 @@ namespace rift
   struct HasPlainBytes<CohesiveFaceRecord> : std::true_type
   {
     static_assert(sizeof(CohesiveFaceRecord) ==
-                  2 * 4 + 8 * 8 + n_face_points * 15 * 8);
+                  2 * 4 + 8 * 8 + n_face_points * 17 * 8);
   };
 
   template <>

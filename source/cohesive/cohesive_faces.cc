@@ -42,6 +42,8 @@ namespace rift
       f(a.inverse_opening, b.inverse_opening);
       f(a.inverse_slip, b.inverse_slip);
       f(a.debt, b.debt);
+      f(a.given_opening, b.given_opening);
+      f(a.given_sliding, b.given_sliding);
     }
   } // namespace
 

@@ -139,18 +139,12 @@ namespace rift
 
     const Vector3<double> normal = current_normal(topology, state, f);
 
-    const double       normal_stress = dot(traction, normal);
-    const double       shear_stress  = norm(traction - normal_stress * normal);
-    const FaceStrength strength      = strengths.strength(face);
-    const double       shear_strength =
-      strength.cohesion -
-      std::min(normal_stress, 0.) * strength.tan_friction_angle;
-    const auto bears = [&](const double share) {
-      return normal_stress >= share * strength.tensile_strength ||
-             shear_stress >= share * shear_strength;
-    };
-    if (bears(1) || least_share == 1 || !bears(least_share))
-      return bears(1);
+    const double normal_stress = dot(traction, normal);
+    const double share         = strengths.strength(face).share_of(
+      normal_stress,
+      norm(traction - normal_stress * normal));
+    if (share >= 1 || share < least_share)
+      return share >= 1;
     // Of the stress that does not turn with the body.
     Matrix3<double> mean{};
     for (const CellIndex cell : f.cells)

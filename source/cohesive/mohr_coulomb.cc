@@ -9,28 +9,24 @@ namespace rift
     /** What a mode has when its separation is chosen. */
     struct Mode
     {
-      double strength, fracture_energy, traction, excess;
+      double strength, fracture_energy, given, excess;
     };
 
     /**
      * One over the jump beyond the peak over which a mode softens, 1/m, such
-     * that the work from a traction on is the fracture energy: what the branch
-     * still takes to its peak and what the excess takes are part of that.
-     *
-     * @param softening share of the strength that is left.
+     * that the work besides what has been given is the fracture energy: what
+     * the branch takes to its peak and what the excess takes are part of that.
      */
     double
     inverse_separation(const Mode  &mode,
-                       const double softening,
                        const double stiffness,
                        const double part_of_fracture)
     {
       if (mode.strength == 0)
         return 0;
-      const double peak = softening * mode.strength;
+      const double peak = mode.strength + mode.excess;
       const double rise =
-        part_of_fracture *
-        std::max(0., peak * peak - mode.traction * mode.traction) / stiffness;
+        std::max(0., part_of_fracture * peak * peak / stiffness - mode.given);
       const double of_excess =
         .5 * mode.excess * mode.excess / (excess_slope * stiffness);
       return 1 / std::max((mode.fracture_energy - rise - of_excess) /
@@ -38,39 +34,31 @@ namespace rift
                           shortest_separation * mode.strength / stiffness);
     }
 
-    /** @param tension, shear tractions with the energy that the point has been
-     * given, Pa. */
     void
     set_separations(CohesivePoint<double> &point,
-                    const double           tension,
-                    const double           shear,
                     const FaceStrength    &strength,
                     const double           stiffness,
                     const double           part_of_fracture)
     {
-      const Mode opening    = {strength.tensile_strength,
-                               strength.fracture_energy_1,
-                               std::max(tension, 0.),
-                               point.normal_excess};
-      const Mode sliding    = {point.cohesion,
-                               strength.fracture_energy_2,
-                               std::max(shear, 0.),
-                               point.shear_excess};
-      point.inverse_opening = inverse_separation(opening,
-                                                 point.softening,
-                                                 stiffness,
-                                                 part_of_fracture);
-      point.inverse_slip    = inverse_separation(sliding,
-                                              point.softening,
-                                              stiffness,
-                                              part_of_fracture);
+      const Mode opening = {strength.tensile_strength,
+                            strength.fracture_energy_1,
+                            point.given_opening,
+                            point.normal_excess};
+      const Mode sliding = {point.cohesion,
+                            strength.fracture_energy_2,
+                            point.given_sliding,
+                            point.shear_excess};
+      point.inverse_opening =
+        inverse_separation(opening, stiffness, part_of_fracture);
+      point.inverse_slip =
+        inverse_separation(sliding, stiffness, part_of_fracture);
     }
 
-    /** Of an elastic branch, J/m^2: what fracture will use up, and what the
-     * body can repay since the face is under pressure. */
+    /** Of an elastic branch, J/m^2: what fracture will use up, by modes, and
+     * what the body can repay since the face is under pressure. */
     struct BranchEnergy
     {
-      double given, owed;
+      double opening, sliding, owed;
     };
 
     /**
@@ -97,9 +85,11 @@ namespace rift
     {
       const double tension = std::max(traction[0], 0.);
       const double shear   = given_shear(traction, friction_coefficient);
-      const double given   = .5 * (tension * tension + shear * shear);
-      return {given / stiffness,
-              (.5 * dot(traction, traction) - given) / stiffness};
+      const double opening = .5 * tension * tension / stiffness;
+      const double sliding = .5 * shear * shear / stiffness;
+      return {opening,
+              sliding,
+              .5 * dot(traction, traction) / stiffness - opening - sliding};
     }
   } // namespace
 
@@ -120,7 +110,7 @@ namespace rift
     CohesivePoint<double> point{};
     point.softening = 1;
     point.cohesion  = strength.cohesion;
-    set_separations(point, 0, 0, strength, stiffness, part_of_fracture);
+    set_separations(point, strength, stiffness, part_of_fracture);
     return point;
   }
 
@@ -159,23 +149,26 @@ namespace rift
     if (t[0] > 0 && point.softening > 0 &&
         t[0] * cohesion > shear * tensile_strength)
       point.cohesion = std::min(shear / point.softening, strength.cohesion);
-    point.normal_excess = std::max(0., t[0] - tensile_strength);
-    point.shear_excess = std::max(0., shear - point.softening * point.cohesion);
-    point.traction     = t;
+    // Excess that has not been worked off remains.
+    point.normal_excess =
+      std::max(point.normal_excess, t[0] - tensile_strength);
+    point.shear_excess =
+      std::max(point.shear_excess, shear - point.softening * point.cohesion);
+    point.traction = t;
     // A failed point that is open keeps its place of closing as offset, which
     // is none of its elastic branch.
     if (point.softening <= 0 && before[0] == 0)
       point.offset[0] = jump[0];
     point.offset -= (1 / stiffness) * more;
+    const BranchEnergy had = energy_of(before, coefficient, stiffness);
+    const BranchEnergy has = energy_of(t, coefficient, stiffness);
+    point.given_opening += has.opening - had.opening;
+    point.given_sliding += has.sliding - had.sliding;
+    point.debt += has.owed - had.owed;
     set_separations(point,
-                    t[0],
-                    given_shear(t, coefficient),
                     strength,
                     stiffness,
                     StraightBranch::part_of_fracture);
-    const BranchEnergy had = energy_of(before, coefficient, stiffness);
-    const BranchEnergy has = energy_of(t, coefficient, stiffness);
-    point.debt += has.owed - had.owed;
-    return has.given - had.given;
+    return has.opening - had.opening + has.sliding - had.sliding;
   }
 } // namespace rift

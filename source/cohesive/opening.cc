@@ -240,11 +240,10 @@ namespace rift
     const Vector3<double> normal =
       current_normal(topology, state, topology.faces[first->face]);
     const double normal_stress = dot(traction, normal);
-    return std::clamp(
+    const double share =
       strengths.strength(first->face)
-        .share_of(normal_stress, norm(traction - normal_stress * normal)),
-      least_share,
-      1.);
+        .share_of(normal_stress, norm(traction - normal_stress * normal));
+    return share < least_share ? 1. : std::min(share, 1.);
   }
 
   std::vector<Vector3<double>>

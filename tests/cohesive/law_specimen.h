@@ -22,7 +22,8 @@ namespace rift::test
   {
     using Law = MohrCoulomb<Branch>;
 
-    explicit BranchSpecimen(const double slope = test::slope)
+    explicit BranchSpecimen(const double        slope    = test::slope,
+                            const FaceStrength &strength = test::strength)
       : point(make_cohesive_point(strength, slope, Branch::part_of_fracture))
       , constants(make_constants(strength, slope))
     {

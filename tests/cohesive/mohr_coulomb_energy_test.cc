@@ -135,6 +135,80 @@ TEST(MohrCoulomb, WhatNodesTransmittedUnderPressureIsSharedOut)
     }
 }
 
+// Also with more shear than the strength, and when a further corner parts later,
+// under another pressure: fracture takes its energy besides what was given.
+TEST(MohrCoulomb, SlidingTakesItsEnergyWhateverItStartedWith)
+{
+  const double shears[]    = {.8, 1., 1.5, 2.};
+  const double pressures[] = {0, 20e6, 60e6, 100e6};
+  for (const double share : shears)
+    for (const double first : pressures)
+      for (const double later : pressures)
+        {
+          Specimen specimen;
+          specimen.hold(
+            {{-first,
+              share * strength.cohesion + strength.tan_friction_angle * first,
+              0}});
+          // The body owes nothing here, so that the pressure is that of the jump.
+          specimen.point.debt = 0;
+          if (later != first)
+            {
+              // No further than to the envelope.
+              const double shear =
+                std::min(specimen.shear(),
+                         .5 * strength.cohesion + strength.tan_friction_angle *
+                                                    std::min(first, later));
+              specimen.go_to({{0, (shear - specimen.shear()) / slope, 0}}, 100);
+              specimen.go_to({{(first - later) / slope, specimen.jump[1], 0}},
+                             100);
+              specimen.hold({{0, 1e3, 0}});
+              specimen.point.debt = 0;
+            }
+          specimen.go_to({{specimen.jump[0], 1.6 * full_slip, 0}}, 40000);
+          EXPECT_EQ(specimen.point.softening, 0);
+          EXPECT_NEAR(specimen.fracture - specimen.point.given_opening -
+                        specimen.point.given_sliding,
+                      strength.fracture_energy_2,
+                      2e-3 * strength.fracture_energy_2)
+            << share << ' ' << first << ' ' << later;
+        }
+}
+
+// A correction that takes the pressure off after it has been repaid leaves the
+// body with a credit. That does not make pressure where there was hardly any.
+TEST(MohrCoulomb, PressureChangesByATenthPerStepAtMost)
+{
+  Specimen specimen;
+  specimen.hold({{-60e6, 0, 0}});
+  for (unsigned int i = 0; i < 3000; ++i)
+    specimen.step_to({{specimen.point.offset[0] - 60e6 / slope, 0, 0}});
+  specimen.hold({{61e6, 0, 0}});
+  EXPECT_LT(specimen.point.debt, 0);
+  const double light = 1e3;
+  specimen.step_to({{specimen.point.offset[0] - light / slope, 0, 0}});
+  EXPECT_GE(specimen.point.traction[0], -(1 + repayment) * light);
+  EXPECT_LT(specimen.point.traction[0], -light);
+
+  // Nor does a debt take more away.
+  Specimen debtor;
+  debtor.hold({{-5e6, strength.cohesion, 0}});
+  debtor.step_to(debtor.jump);
+  EXPECT_NEAR(debtor.point.traction[0], -(1 - repayment) * 5e6, 1);
+}
+
+// Eq. (11c): with a share of the strength, but all of the fracture energies.
+TEST(MohrCoulomb, WeakenedFaceTakesItsFractureEnergies)
+{
+  const FaceStrength weak = strength.times(.4);
+  EXPECT_EQ(weak.residual_friction, .4 * strength.tan_friction_angle);
+  Specimen opening(slope, weak), sliding(slope, weak);
+  opening.go_to({{2.6 * full_opening, 0, 0}}, 40000);
+  expect_energy(opening, strength.fracture_energy_1);
+  sliding.go_to({{0, 2.6 * full_slip, 0}}, 40000);
+  expect_energy(sliding, strength.fracture_energy_2);
+}
+
 // Beyond the peak, with opening = o_t D cos(a) and slip = s_t D sin(a), normal
 // and shear traction are f(D) T and f(D) C, and the work until D = 1 is the
 // integral of f(D) dD times T o_t cos(a) + C s_t sin(a), where I T o_t is what

@@ -22,15 +22,16 @@ namespace rift
     /** Fracture energies of modes I and II, J/m^2. */
     double fracture_energy_1, fracture_energy_2;
 
-    /** With a share of the strength and of the friction, but the whole fracture
-     * energies. */
+    /** With a share of the strength and of the internal friction, but the whole
+     * fracture energies, and the residual friction unless that is more than
+     * what is left of the internal one. */
     FaceStrength
     times(const double share) const
     {
       return {share * tensile_strength,
               share * cohesion,
               share * tan_friction_angle,
-              share * residual_friction,
+              std::min(residual_friction, share * tan_friction_angle),
               fracture_energy_1,
               fracture_energy_2};
     }
@@ -78,6 +79,10 @@ namespace rift
     /** What of the elastic energy per area a point under pressure had from the
      * start and has not drawn from the body yet, J/m^2; see repay(). */
     Number debt;
+
+    /** Elastic energies per area that a point had from the start and that are
+     * no debt, of opening and of sliding, J/m^2. Fracture uses them up. */
+    Number given_opening, given_sliding;
   };
 
   /** What all Gauss points of a face have in common. */
@@ -268,7 +273,7 @@ namespace rift
   constexpr double excess_slope = .5;
 
   /** Part of the debt of a compressed point that is repaid in a step, and the
-   * largest part of its pressure that goes with it. */
+   * largest part by which its pressure changes for that. */
   constexpr double repayment = .1;
 
   /**
@@ -539,11 +544,11 @@ namespace rift
     const auto pays = (point.debt * point.debt > zero) & (pressure > zero);
     if (!any(pays))
       return;
+    const Number repaid = sqrt(max(
+      pressure * pressure - (2 * repayment) * constants.stiffness * point.debt,
+      zero));
     const Number rest =
-      max(sqrt(max(pressure * pressure -
-                     (2 * repayment) * constants.stiffness * point.debt,
-                   zero)),
-          (1 - repayment) * pressure);
+      min(max(repaid, (1 - repayment) * pressure), (1 + repayment) * pressure);
     // By the trapezoidal rule, as the central differences do their work.
     const Number closing = (pressure - rest) / constants.stiffness;
     const Number paid    = .5 * (rest - point.traction[0]) * closing;
