@@ -25,8 +25,10 @@ attempt() {
   start "$ranks" "${arguments[@]}" $mode
   # mpirun may end this script as well when a rank is killed that has not left
   # its process group yet: all are there, and a moment is over.
-  until [ "$(processes_of_job "$ranks" | wc -w)" = "$ranks" ] ||
-    ! kill -0 "$job" 2>/dev/null; do
+  local i
+  for ((i = 0; i < 3000; ++i)); do
+    [ "$(processes_of_job "$ranks" | wc -w)" != "$ranks" ] &&
+      kill -0 "$job" 2>/dev/null || break
     sleep .01
   done
   local is_killed=false
@@ -37,15 +39,25 @@ attempt() {
     # shellcheck disable=SC2046
     kill -KILL $(processes_of_job "$ranks") 2>/dev/null
   fi
-  await_job 60
+  await_job $((30 + 10 * milliseconds / 1000))
   if [ -n "$is_hanging" ]; then
     # It may also hang while it clears up. Not so rift.
-    [ $is_killed = true ] && [ -z "$(processes_of_job "$ranks")" ] ||
+    [ $is_killed = true ] && [ -z "$(living_processes)" ] ||
       fail "after $n_kills kills rift hangs: $(cat said)"
     kill -KILL "$job"
   fi
   wait "$job" 2>/dev/null
   code=$?
+}
+
+# The processes of rift that have not ended; mpirun may not have reaped those
+# that have.
+living_processes() {
+  if [ "$ranks" = 1 ]; then
+    ps -o stat= -p "$job" | grep -v '^Z'
+  else
+    ps -o stat= --ppid "$job" | grep -v '^Z'
+  fi
 }
 
 # Waits for the job to end, but no longer than so many seconds.
