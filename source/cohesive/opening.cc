@@ -243,7 +243,7 @@ namespace rift
     const double share =
       strengths.strength(first->face)
         .share_of(normal_stress, norm(traction - normal_stress * normal));
-    return share < least_share ? 1. : std::min(share, 1.);
+    return std::clamp(share, least_share, 1.);
   }
 
   std::vector<Vector3<double>>

@@ -216,7 +216,7 @@ TEST(Opening, FaceIsAsWeakAsThePlaneThatItStandsInFor)
   const double friction = 20e6 * strength.tan_friction_angle;
   const double in_shear = .6 * (strength.cohesion + friction);
   const Load   loads[]  = {{tension, 0, .3, .7},
-                           {tension, 0, .9, 1},
+                           {tension, 0, .9, .9},
                            {tension, 0, 1, 1},
                            {1.2 * strength.tensile_strength, 0, .3, 1},
                            {-20e6, in_shear, .3, .6}};
