@@ -22,16 +22,15 @@ namespace rift
     /** Fracture energies of modes I and II, J/m^2. */
     double fracture_energy_1, fracture_energy_2;
 
-    /** With a share of the strength and of the internal friction, but the whole
-     * fracture energies, and the residual friction unless that is more than
-     * what is left of the internal one. */
+    /** With a share of the strength and of all friction, but the whole fracture
+     * energies. */
     FaceStrength
     times(const double share) const
     {
       return {share * tensile_strength,
               share * cohesion,
               share * tan_friction_angle,
-              std::min(residual_friction, share * tan_friction_angle),
+              share * residual_friction,
               fracture_energy_1,
               fracture_energy_2};
     }
