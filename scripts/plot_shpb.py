@@ -47,6 +47,8 @@ class Waves:
         delay = GAUGE / SPEED
         self.gauge_time, self.pulse = time, 0.5 * (stress + motion)
         self.time = time[(time >= delay) & (time <= time[-1] - delay)]
+        if len(self.time) == 0:
+            sys.exit(f"{results}: the run ends before any wave has passed the disc")
         self.incident = np.interp(self.time - delay, time, self.pulse)
         self.reflected = np.interp(self.time + delay, time, 0.5 * (stress - motion))
         self.transmitted = np.interp(self.time + delay, time, transmitted)
@@ -96,7 +98,12 @@ class Disc:
         self.stress = TENSION_OF_FORCE * force
         highest = np.maximum.accumulate(self.stress)
         fallen = (self.stress < 0.95 * highest) & (highest > 0.2 * highest[-1])
-        end = np.argmax(fallen) if fallen.any() else len(time)
+        if not fallen.any() or highest[-1] <= 0:
+            sys.exit(f"P2 has not come to a peak: it is known until "
+                     f"{1e6 * time[-1]:.0f} us at the disc, which is "
+                     f"{1e6 * GAUGE / SPEED:.0f} us before the end of the run. "
+                     "Take a later end.")
+        end = np.argmax(fallen)
         self.at_peak = np.argmax(self.stress[:end])
         self.peak, self.peak_time = self.stress[self.at_peak], time[self.at_peak]
         self.start = time[self.rising(0.05)]

@@ -19,6 +19,12 @@ UCS_RADIUS, UCS_HEIGHT, GAUGE_LENGTH, GAUGE_RADIUS = 0.01, 0.04, 0.02, 0.0095
 DISC_DIAMETER, DISC_THICKNESS = 0.0408, 0.016
 
 
+def warn_if_rising(name, values):
+    if values.argmax() >= 0.99 * (len(values) - 1):
+        print(f"WARNING: {name}: the force is highest at the end of the run, so that "
+              "this is no peak. Take a later end.", file=sys.stderr)
+
+
 def force_of(table):
     return .5 * (np.abs(table["upper force [N]"]) + np.abs(table["lower force [N]"]))
 
@@ -85,6 +91,7 @@ def main(ucs, static, figure):
         2, 2, figsize=(9, 8), layout="constrained")
     stress, axial, lateral = uniaxial(ucs)
     peak = stress.argmax()
+    warn_if_rising("uniaxial", stress)
     part = np.flatnonzero((stress > .2 * stress[peak]) & (stress < .5 * stress[peak]))
     part = part[part < peak]
     modulus = np.polyfit(axial[part], stress[part], 1)[0]
@@ -101,6 +108,7 @@ def main(ucs, static, figure):
                 end_of(ucs))
 
     times, tension = brazilian(static)
+    warn_if_rising("Brazilian", tension)
     print(f"Brazilian: peak {1e-6 * tension.max():.2f} MPa at "
           f"{1e6 * times[tension.argmax()]:.0f} us")
     history.plot(1e6 * times, 1e-6 * tension)

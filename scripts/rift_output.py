@@ -52,7 +52,14 @@ def read_series(results, name):
 def read_table(path):
     """{header: values} of a .csv."""
     rows = list(csv.reader(read_bytes(path).decode().splitlines()))
-    values = np.array(rows[1:], dtype=float)
+    if len(rows) < 2:
+        sys.exit(f"{path} has no rows: the run has been stopped before it wrote any")
+    try:
+        if any(len(row) != len(rows[0]) for row in rows):
+            raise ValueError
+        values = np.array(rows[1:], dtype=float)
+    except ValueError:
+        sys.exit(f"{path} is damaged: not all of its rows are {len(rows[0])} numbers")
     return {name: values[:, i] for i, name in enumerate(rows[0])}
 
 

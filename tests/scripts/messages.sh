@@ -38,5 +38,23 @@ says 1 "cannot read nowhere/probes.csv: No such file or directory" \
   $python "$scripts/plot_spalling.py" nowhere figure.png
 says 1 "cannot read nowhere/probes.csv: No such file or directory" \
   $python "$scripts/compare_spalling.py" figure.png "ECZM=nowhere"
+# Runs that have been stopped.
+mkdir -p stopped
+echo "time [s],a [m]" >stopped/probes.csv
+says 1 "stopped/probes.csv has no rows: the run has been stopped before" \
+  $python "$scripts/plot_spalling.py" stopped figure.png
+echo "0" >>stopped/probes.csv
+says 1 "stopped/probes.csv is damaged: not all of its rows are 2 numbers" \
+  $python "$scripts/plot_spalling.py" stopped figure.png
+gauges="incident gauge [Pa],incident gauge velocity [m/s],transmission gauge [Pa]"
+echo "time [s],$gauges" >stopped/probes.csv
+for ((i = 0; i < 200; ++i)); do
+  echo "$i.0e-6,-$i,0,-$i" >>stopped/probes.csv
+done
+says 1 "P2 has not come to a peak" \
+  $python "$scripts/plot_shpb.py" stopped figure.png
+head -n 20 stopped/probes.csv >stopped/short && mv stopped/short stopped/probes.csv
+says 1 "the run ends before any wave has passed the disc" \
+  $python "$scripts/plot_shpb.py" stopped figure.png
 says 1 "cannot read nowhere: No such file or directory" \
   $python "$scripts/plot_scaling.py" nowhere figure.png
