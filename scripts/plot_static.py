@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Figure of the two static tests of prm/brazilian: curves, and the cracks on the
-plane y = 0 through the axis.
+"""Figure of the two static tests of prm/brazilian: curves, and the cracks on planes
+through the axis.
 
 usage: scripts/plot_static.py UCS STATIC FIGURE.png
 """
@@ -50,36 +50,36 @@ def brazilian(results):
             2 * force_of(table) / (np.pi * DISC_DIAMETER * DISC_THICKNESS))
 
 
-def crossings(results, time):
-    """Lines in which cohesive faces cross y = 0, as (x, z), and whether each face
-    has failed."""
+def crossings(results, time, axis):
+    """Lines in which cohesive faces cross the plane of x (axis 0) or y (1) = 0, as
+    (y or x, z), and the damage of each face, above 1 where it has failed."""
     series = read_series(results, "fracture")
     moment = min(series, key=lambda t: abs(t - time))
-    lines, failed = [], []
+    lines, damages = [], []
     for file in series[moment]:
         for points, faces, _, cells in read_vtu(file):
             x = points[faces].astype(float)
-            y = x[:, :, 1] + 1e-9
-            for corners, heights, end in zip(x, y, cells["time of failure [s]"]):
-                ends = [corners[i] - heights[i] / (heights[j] - heights[i]) *
-                        (corners[j] - corners[i])
-                        for i in range(3) for j in range(i)
-                        if heights[i] * heights[j] < 0]
+            distance = x[:, :, axis] + 1e-9
+            damage = cells["damage"] + 1. * (cells["time of failure [s]"] >= 0)
+            for corners, d, how_much in zip(x, distance, damage):
+                ends = [corners[i] - d[i] / (d[j] - d[i]) * (corners[j] - corners[i])
+                        for i in range(3) for j in range(i) if d[i] * d[j] < 0]
                 if len(ends) == 2:
-                    lines.append(1e3 * np.array(ends)[:, [0, 2]])
-                    failed.append(end >= 0)
-    return lines, np.array(failed, dtype=bool)
+                    lines.append(1e3 * np.array(ends)[:, [1 - axis, 2]])
+                    damages.append(how_much)
+    return lines, np.array(damages)
 
 
-def draw_cracks(axes, results, outline, time):
-    lines, failed = crossings(results, time)
+def draw_cracks(axes, results, outline, time, axis=1):
+    lines, damages = crossings(results, time, axis)
     axes.plot(*outline, "k", lw=.6)
-    for which, colour, width in ((~failed, ".7", .5), (failed, "C3", 1.3)):
+    for least, most, colour, width in ((-1, .3, ".7", .5), (.3, 1.1, "C0", .9),
+                                       (1.1, 3, "C3", 1.4)):
         axes.add_collection(LineCollection(
-            [line for line, w in zip(lines, which) if w],
+            [line for line, d in zip(lines, damages) if least <= d < most],
             colors=colour, linewidths=width))
-    axes.set(xlabel="x (mm)", ylabel="z (mm)", aspect="equal",
-             title=f"red: failed, {1e6 * time:.0f} us")
+    axes.set(xlabel=f"{'yx'[axis]} (mm)", ylabel="z (mm)", aspect="equal",
+             title=f"{'xy'[axis]} = 0 at {1e6 * time:.0f} us")
 
 
 def end_of(results):
@@ -87,8 +87,8 @@ def end_of(results):
 
 
 def main(ucs, static, figure):
-    _, ((curve, cracks), (history, disc_cracks)) = plt.subplots(
-        2, 2, figsize=(9, 8), layout="constrained")
+    _, ((curve, cracks, more_cracks), (history, disc_cracks, words)) = plt.subplots(
+        2, 3, figsize=(11, 8), layout="constrained")
     stress, axial, lateral = uniaxial(ucs)
     peak = stress.argmax()
     warn_if_rising("uniaxial", stress)
@@ -103,9 +103,10 @@ def main(ucs, static, figure):
     curve.set(xlabel="strain (1e-3)", ylabel="stress (MPa)", title="uniaxial")
     curve.legend()
     width, height = 1e3 * UCS_RADIUS, .5e3 * UCS_HEIGHT
-    draw_cracks(cracks, ucs, ([-width, width, width, -width, -width],
-                              [-height, -height, height, height, -height]),
-                end_of(ucs))
+    outline = ([-width, width, width, -width, -width],
+               [-height, -height, height, height, -height])
+    draw_cracks(cracks, ucs, outline, end_of(ucs))
+    draw_cracks(more_cracks, ucs, outline, end_of(ucs), axis=0)
 
     times, tension = brazilian(static)
     warn_if_rising("Brazilian", tension)
@@ -117,6 +118,9 @@ def main(ucs, static, figure):
     draw_cracks(disc_cracks, static, (.5e3 * DISC_DIAMETER * np.cos(angle),
                                       .5e3 * DISC_DIAMETER * np.sin(angle)),
                 end_of(static))
+    words.axis("off")
+    words.text(0, .5, "faces that have opened:\nred: failed\nblue: damage > 0.3\n"
+               "grey: the others")
     for axes in (curve, history):
         axes.grid(alpha=.3)
     plt.savefig(figure, dpi=80)
