@@ -32,6 +32,12 @@ DefineConstant[ tip_size = 3e-3 ];
 DefineConstant[ gauge = 0.3 ];
 gauge_width = 0.01;
 gap = 1e-6;
+If (tapered && (striker_length < 0.28 || tip_height < 0))
+  Error("a tapered striker is longer than its nose and tail, 0.28 m, and its tip_height is not negative; tapered = 0 makes a plain one");
+EndIf
+If (gauge < gauge_width || gauge > bar_length - gauge_width)
+  Error("the gauge must lie on the bars");
+EndIf
 
 // Bars are prisms whose area is that of the circle, so that any mesh has it.
 n_sides = 12;
