@@ -308,8 +308,8 @@ namespace rift
    * update. The force that held two nodes together until now passes to the
    * face, so that the start is continuous in time (doc/theory.md, section 5).
    * What is above the strength becomes excess. Of the elastic energy, what the
-   * pressure lets the body repay becomes debt. Separations are adapted so that the
-   * energy drawn from the body remains the fracture energy.
+   * pressure lets the body repay becomes debt. Separations are adapted so that
+   * the energy drawn from the body remains the fracture energy.
    *
    * @param jump now, m; the body may have moved since the last update.
    * @return the elastic energy per area that comes with the traction besides
