@@ -163,7 +163,8 @@ namespace rift
     void
     set_initial_velocity(Body &body)
     {
-      auto &[topology, reference, state, exchange] = body.discretization;
+      const Topology &topology = body.discretization.topology;
+      State          &state    = body.discretization.state;
       for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
         {
           const auto &material    = body.materials[topology.material(cell)];
@@ -172,7 +173,9 @@ namespace rift
             continue;
           const double corner_mass =
             material.density *
-            reference[cell / batch_size].volume[cell % batch_size] / n_corners;
+            body.discretization.reference[cell / batch_size]
+              .volume[cell % batch_size] /
+            n_corners;
           for (unsigned int c = 0; c < n_corners; ++c)
             {
               const NodeIndex node = topology.node(cell, c);
@@ -213,11 +216,23 @@ namespace rift
     communicator.on_root(
       [&] { check_number_of_ranks(mesh, communicator.size()); });
     const MeshData names = share_names(mesh, communicator);
-    Body body{communicator, {Topology({}, 0), {}, {}, {}}, {}, {}, {}};
+    Body           body{communicator,
+              {communicator, Topology({}, 0), {}, {}, {}, {}, {}},
+              {},
+              {},
+              {},
+              {},
+              {}};
     for (const std::string &name : names.material_names)
       for (const MaterialParameters &material : parameters.materials)
         if (material.name == name)
           body.materials.push_back(material);
+
+    for (const MaterialParameters &material : body.materials)
+      {
+        body.laws.push_back(make_elasticity(material));
+        body.stiffnesses.push_back(stiffness_matrix(body.laws.back()));
+      }
 
     std::vector<bool> parted;
     if (parameters.cohesive.model == CohesiveParameters::Model::intrinsic)

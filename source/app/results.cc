@@ -23,24 +23,18 @@ namespace rift
     NamedNumbers
     named_energies(const EnergyLedger &ledger)
     {
-      const Energies &e = ledger.energies();
-      return {{"kinetic", e.kinetic},
-              {"strain", e.strain},
-              {"cohesive", e.cohesive},
-              {"fracture", e.fracture},
-              {"contact", e.contact},
-              {"friction", e.friction},
-              {"damping", e.damping},
-              {"loads", e.loads},
-              {"residual", ledger.residual()}};
+      NamedNumbers result = ledger.energies().terms();
+      result.emplace_back("residual", ledger.residual());
+      return result;
     }
 
     std::vector<std::string>
-    energy_columns()
+    energy_columns(const Energies &energies)
     {
       std::vector<std::string> columns = {"time [s]"};
-      for (const auto &term : named_energies(EnergyLedger()))
-        columns.push_back(term.first + " [J]");
+      for (const auto &[name, energy] : energies.terms())
+        columns.push_back(name + " [J]");
+      columns.push_back("residual [J]");
       return columns;
     }
 
@@ -122,15 +116,18 @@ namespace rift
   }
 
   void
-  Results::open(const Parameters &parameters, Log &log)
+  Results::open(const Parameters &parameters,
+                const Energies   &energies,
+                Log              &log)
   {
-    communicator.on_root([&] { open_files(parameters, log); });
+    communicator.on_root([&] { open_files(parameters, energies, log); });
     make_series(parameters);
     was_opened = true;
   }
 
   void
   Results::reopen(const Parameters   &parameters,
+                  const Energies     &energies,
                   const SavedResults &saved,
                   Log                &log)
   {
@@ -142,7 +139,7 @@ namespace rift
                             probe_columns(),
                             saved.probes_length);
       energy_file.emplace(path("energy.csv"),
-                          energy_columns(),
+                          energy_columns(energies),
                           saved.energy_length);
     });
     make_series(parameters);
@@ -194,7 +191,9 @@ namespace rift
   }
 
   void
-  Results::open_files(const Parameters &parameters, Log &log)
+  Results::open_files(const Parameters &parameters,
+                      const Energies   &energies,
+                      Log              &log)
   {
     prepare_output_directory(directory, parameters.output.overwrite);
     log.open(path("log.txt"));
@@ -207,7 +206,7 @@ namespace rift
 
     if (!probes.empty())
       probes_file.emplace(path("probes.csv"), probe_columns());
-    energy_file.emplace(path("energy.csv"), energy_columns());
+    energy_file.emplace(path("energy.csv"), energy_columns(energies));
   }
 
   bool

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace rift
@@ -125,13 +126,15 @@ namespace rift
     n_known_events = interface.n_crack_events();
     searched_cells = surface.cells();
     searched_positions.clear();
-    double largest_speed = 0;
+    constexpr double infinity      = std::numeric_limits<double>::infinity();
+    double           largest_speed = 0;
     for (const CellIndex cell : searched_cells)
       {
         const CellMotion motion = motion_of(topology, state, cell);
         searched_positions.push_back(motion.positions);
         for (const Vector3<double> &v : motion.velocities)
-          largest_speed = std::max(largest_speed, norm(v));
+          if (const double speed = norm(v); !(speed <= largest_speed))
+            largest_speed = std::isnan(speed) ? infinity : speed;
       }
     largest_speed     = communicator.max(largest_speed);
     const double move = time_step * largest_speed;
@@ -189,7 +192,7 @@ namespace rift
         pair.a         = member(found.first);
         pair.b         = member(found.second);
         pair.constants = {std::min(a.constants.penalty, b.constants.penalty),
-                          interface.friction(a.material, b.material),
+                          interface.friction[a.material][b.material],
                           interface.damping,
                           1 / (1 / a.constants.mass + 1 / b.constants.mass)};
         pairs.push_back(pair);
@@ -298,6 +301,16 @@ namespace rift
         if (!activity.has_woken_neighbours(member.local / batch_size))
           activity.wake_node(topology, node);
       }
+  }
+
+  void
+  ContactForce::count_pairs(const Topology             &topology,
+                            std::vector<std::uint32_t> &n) const
+  {
+    for (const Pair &pair : pairs)
+      if (const CellIndex a = members[pair.a].local;
+          a != invalid_index && topology.owns_cell(a))
+        ++n[a];
   }
 
   std::uint64_t

@@ -7,6 +7,23 @@ namespace rift
 {
   namespace
   {
+    /** The motion of a rigid body, for a checkpoint. */
+    struct RigidBodyRecord
+    {
+      Vector3<double> displacement;
+      double          rotation;
+      Vector3<double> axis, velocity, angular_momentum;
+    };
+  } // namespace
+
+  template <>
+  struct HasPlainBytes<RigidBodyRecord> : std::true_type
+  {
+    static_assert(sizeof(RigidBodyRecord) == 13 * sizeof(double));
+  };
+
+  namespace
+  {
     void
     add(const Vector3<double> &term, std::array<ExactSum, dim> &sums)
     {
@@ -345,32 +362,34 @@ namespace rift
     return sums;
   }
 
-  std::vector<RigidBodyRecord>
-  RigidBodies::records() const
+  void
+  RigidBodies::save(const Discretization &, Archive &archive) const
   {
+    // All ranks have the same.
     std::vector<RigidBodyRecord> records;
     for (const Body &body : bodies)
-      {
-        const RigidMotion &motion = body.motion;
-        records.push_back({motion.displacement,
-                           motion.rotation.real,
-                           motion.rotation.imaginary,
-                           motion.velocity,
-                           motion.angular_momentum});
-      }
-    return records;
+      if (communicator.is_root())
+        records.push_back({body.motion.displacement,
+                           body.motion.rotation.real,
+                           body.motion.rotation.imaginary,
+                           body.motion.velocity,
+                           body.motion.angular_momentum});
+    archive.write_list("rigid bodies", records);
+    work_done.save("rigid bodies", archive);
   }
 
   void
-  RigidBodies::restore(const std::vector<RigidBodyRecord> &records)
+  RigidBodies::load(const Discretization &, const Archive &archive)
   {
+    const auto records = archive.read_list<RigidBodyRecord>("rigid bodies");
     for (std::size_t i = 0; i < bodies.size(); ++i)
       {
-        const RigidBodyRecord &record = records[i];
+        const RigidBodyRecord &record = records.at(i);
         bodies[i].motion              = {record.displacement,
                                          {record.rotation, record.axis},
                                          record.velocity,
                                          record.angular_momentum};
       }
+    work_done.load("rigid bodies", archive);
   }
 } // namespace rift

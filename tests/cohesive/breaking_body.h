@@ -188,12 +188,12 @@ namespace rift::test
     energies(const double time_step) const
     {
       const CohesiveEnergy cohesive = force.energy(state);
-      EnergySums           sums;
-      sums.kinetic  = kinetic_energy(topology, state, time_step);
-      sums.strain   = internal_force.strain_energy(state);
-      sums.cohesive = cohesive.recoverable;
-      sums.fracture = cohesive.fracture;
-      sums.friction = cohesive.friction;
+      EnergyTable          sums;
+      sums["kinetic"]  = kinetic_energy(topology, state, time_step);
+      sums["strain"]   = internal_force.strain_energy(state);
+      sums["cohesive"] = cohesive.recoverable;
+      sums["fracture"] = cohesive.fracture;
+      sums["friction"] = cohesive.friction;
       return sums.total(communicator);
     }
 

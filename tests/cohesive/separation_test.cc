@@ -264,7 +264,7 @@ TEST(Separation, LedgerOfABreakingBarCloses)
       residuals[run] = ledger.largest_relative_residual();
       EXPECT_LT(residuals[run], 2e-3);
       // Mostly mode I; shear of the end faces takes part.
-      EXPECT_NEAR(ledger.energies().fracture,
+      EXPECT_NEAR(ledger.energies()["fracture"],
                   granite_strength().fracture_energy_1 * section,
                   .05 * granite_strength().fracture_energy_1 * section);
     }

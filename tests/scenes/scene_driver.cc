@@ -100,7 +100,7 @@ namespace
     std::printf("steps: %zu, time: %.4g us\n",
                 static_cast<std::size_t>(simulation.state().step),
                 1e6 * simulation.state().time);
-    std::printf("work of the loads: %s J\n", digits(e.loads).c_str());
+    std::printf("work of the loads: %s J\n", digits(e["loads"]).c_str());
     std::printf("energy balance closes to 1e-4: %s\n",
                 simulation.energy_ledger().largest_relative_residual() <= 1e-4 ?
                   "yes" :

@@ -67,17 +67,21 @@ namespace rift
      * Makes the output directory ready and writes parameters.prm. Without this
      * call nothing is ever due.
      *
+     * @param energies whose names become the columns of energy.csv.
      * @throws InputError or DiskError if the directory cannot be used.
      */
     void
-    open(const Parameters &parameters, Log &log);
+    open(const Parameters &parameters, const Energies &energies, Log &log);
 
     /**
      * Like open(), but goes on after a restart: what is behind the checkpoint
      * will be written again.
      */
     void
-    reopen(const Parameters &parameters, const SavedResults &saved, Log &log);
+    reopen(const Parameters   &parameters,
+           const Energies     &energies,
+           const SavedResults &saved,
+           Log                &log);
 
     /** Brings the histories to the disk and says how far all has come. */
     SavedResults
@@ -120,7 +124,9 @@ namespace rift
   private:
     /** What open() does on rank 0. */
     void
-    open_files(const Parameters &parameters, Log &log);
+    open_files(const Parameters &parameters,
+               const Energies   &energies,
+               Log              &log);
 
     void
     make_series(const Parameters &parameters);

@@ -1,6 +1,7 @@
 #ifndef rift_cohesive_cohesive_faces_h
 #define rift_cohesive_cohesive_faces_h
 
+#include <rift/base/plain_bytes.h>
 #include <rift/base/simd.h>
 #include <rift/cohesive/laws/mohr_coulomb.h>
 #include <rift/mesh/topology.h>
@@ -113,6 +114,15 @@ namespace rift
     double   given, unpaid;
 
     std::array<CohesivePoint<double>, n_face_points> points;
+  };
+
+  template <>
+  struct HasPlainBytes<CohesiveFaceRecord> : std::true_type
+  {
+    static_assert(sizeof(CohesiveFaceRecord) ==
+                  sizeof(FaceName) + 8 * sizeof(double) +
+                    n_face_points * sizeof(CohesivePoint<double>));
+    static_assert(sizeof(CohesivePoint<double>) % sizeof(double) == 0);
   };
 
   /** Memory of one point of one face. */

@@ -1,16 +1,15 @@
 #ifndef rift_loading_body_force_h
 #define rift_loading_body_force_h
 
-#include <rift/base/exact_sum.h>
-#include <rift/discretization/state.h>
 #include <rift/loading/loading_parameters.h>
+#include <rift/module/module.h>
 
 #include <cmath>
 
 namespace rift
 {
   /** Gravity; not constructed where there is none. */
-  class BodyForce
+  class BodyForce : public Module
   {
   public:
     explicit BodyForce(const BodyForceParameters &parameters)
@@ -22,6 +21,31 @@ namespace rift
     is_needed(const BodyForceParameters &parameters)
     {
       return dot(parameters.gravity, parameters.gravity) > 0;
+    }
+
+    Stage
+    stage() const override
+    {
+      return Stage::loads;
+    }
+
+    /** Everything moves from the start. */
+    void
+    prepare(Discretization &body, const StepBound &) override
+    {
+      body.activity.wake_all(body.topology);
+    }
+
+    void
+    add_forces(StepContext &step) override
+    {
+      add_to(step.body.state);
+    }
+
+    void
+    account(const Discretization &body, EnergyTable &energies) const override
+    {
+      energies["loads"].add(work(body.topology, body.state));
     }
 
     void

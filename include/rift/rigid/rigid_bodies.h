@@ -6,6 +6,7 @@
 #include <rift/discretization/work.h>
 #include <rift/loading/time_function.h>
 #include <rift/material/material_parameters.h>
+#include <rift/module/module.h>
 #include <rift/rigid/rigid_motion.h>
 #include <rift/rigid/rigid_pieces.h>
 
@@ -14,21 +15,13 @@
 
 namespace rift
 {
-  /** The motion of a rigid body, for a checkpoint. */
-  struct RigidBodyRecord
-  {
-    Vector3<double> displacement;
-    double          rotation;
-    Vector3<double> axis, velocity, angular_momentum;
-  };
-
   /**
    * The bodies whose cells do not deform. All ranks know the motion of all of
    * them; each moves the nodes that it sees. The forces on the nodes are
    * replaced by those that move them as a body, so that kick, drift and ledger
    * need not know of it. Mass and inertia are those of the lumped masses.
    */
-  class RigidBodies
+  class RigidBodies : public Module
   {
   public:
     /**
@@ -42,6 +35,42 @@ namespace rift
                 const RigidPieces                     &pieces,
                 const std::vector<MaterialParameters> &materials,
                 const Communicator                    &communicator);
+
+    Stage
+    stage() const override
+    {
+      return Stage::loads;
+    }
+
+    std::string
+    description() const override
+    {
+      return "Rigid bodies: " + std::to_string(n_bodies());
+    }
+
+    void
+    start_velocities(StepContext &step) override
+    {
+      start(step.body.state, step.time_step);
+    }
+
+    void
+    constrain(StepContext &step) override
+    {
+      move(step.body.state, step.body.activity, step.time_step);
+    }
+
+    void
+    account(const Discretization &, EnergyTable &energies) const override
+    {
+      energies["loads"].add(work_done.sum());
+    }
+
+    void
+    save(const Discretization &, Archive &archive) const override;
+
+    void
+    load(const Discretization &, const Archive &archive) override;
 
     /**
      * Sets the velocities half a step before the start, as
@@ -89,12 +118,6 @@ namespace rift
      * loads and gravity. The part of this rank. */
     std::array<ExactSum, dim>
     force(const std::string &material) const;
-
-    std::vector<RigidBodyRecord>
-    records() const;
-
-    void
-    restore(const std::vector<RigidBodyRecord> &records);
 
   private:
     struct Body
