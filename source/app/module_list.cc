@@ -1,6 +1,6 @@
 #include <rift/app/module_list.h>
 #include <rift/loading/absorbing_boundary.h>
-#include <rift/loading/body_force.h>
+#include <rift/loading/body_force_parameters.h>
 #include <rift/loading/prescribed_motion.h>
 #include <rift/loading/surface_load.h>
 #include <rift/material/wave_speeds.h>
@@ -94,14 +94,6 @@ namespace rift
                                        viscosities);
     }
 
-    std::unique_ptr<BodyForce>
-    make_body_force(const Parameters &parameters)
-    {
-      return BodyForce::is_needed(parameters.body_force) ?
-               std::make_unique<BodyForce>(parameters.body_force) :
-               nullptr;
-    }
-
     std::unique_ptr<PrescribedMotion>
     make_prescribed_motion(const Parameters &parameters, const Body &body)
     {
@@ -132,6 +124,14 @@ namespace rift
     }
   } // namespace
 
+  std::vector<std::unique_ptr<ModuleParameters>>
+  module_parameters()
+  {
+    std::vector<std::unique_ptr<ModuleParameters>> list;
+    list.push_back(std::make_unique<BodyForceParameters>());
+    return list;
+  }
+
   Modules
   make_modules(const Parameters &parameters, Body &body, const MeshData &mesh)
   {
@@ -153,13 +153,18 @@ namespace rift
         add(std::make_unique<SurfaceLoad>(body.discretization.topology,
                                           body.surfaces.at(boundary.name),
                                           boundary));
-    add(make_body_force(parameters));
+    for (const auto &module : parameters.modules)
+      add(module->make(body.discretization, body.materials));
     add(make_damping(body));
     for (const BoundaryParameters &boundary : parameters.boundaries)
       if (boundary.absorbs)
         add(make_absorbing_boundary(boundary, body));
     add(make_prescribed_motion(parameters, body));
     modules.rigid_bodies = add(std::move(rigid_bodies));
+    std::stable_sort(
+      modules.list.begin(),
+      modules.list.end(),
+      [](const auto &a, const auto &b) { return a->stage() < b->stage(); });
     return modules;
   }
 } // namespace rift

@@ -2,8 +2,8 @@ cmake_minimum_required(VERSION 3.25)
 
 #Fails where a folder of ROOT includes from one that comes after it : the list
 #of folders is the order of the algorithm.
-set(order base mesh discretization material module solid cohesive contact
-          loading rigid time_integration io app)
+include(${ROOT}/cmake/folders.cmake)
+set(order ${rift_folders})
 
 foreach(folder ${order})
   list(APPEND allowed ${folder})

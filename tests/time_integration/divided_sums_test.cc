@@ -59,7 +59,7 @@ namespace
       : body(std::move(body))
       , force(topology(), this->body.reference, laws_of(materials))
       , activity(topology())
-      , gravity(BodyForceParameters{{{1, 2, -9.81}}})
+      , gravity(Vector3<double>{{1, 2, -9.81}})
       , load(topology(), surface, boundary())
       , motion(topology(), {{surface, boundary()}})
       , damping(topology(), this->body.reference, {3e5, 0})

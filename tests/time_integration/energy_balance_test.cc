@@ -69,7 +69,7 @@ namespace
                 const bool   damped)
       : body(make_box({{2, 2, 4}}, 1, .1), random_rock())
       , dt(share_of_step * body.critical_step(eta))
-      , gravity(BodyForceParameters{{{2 * size, -.3 * size, -9.81 * size}}})
+      , gravity(Vector3<double>{{2 * size, -.3 * size, -9.81 * size}})
     {
       // In units of the time that a wave takes through an element.
       const std::string omega = std::to_string(.05 / body.critical_step(eta));

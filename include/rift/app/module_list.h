@@ -11,6 +11,13 @@
 
 namespace rift
 {
+  /**
+   * The modules with a subsection of their own in the .prm, in the order of
+   * doc/parameters.md. To add one is to add a line here.
+   */
+  std::vector<std::unique_ptr<ModuleParameters>>
+  module_parameters();
+
   /** The physics of a scene. */
   struct Modules
   {

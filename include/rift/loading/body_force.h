@@ -1,7 +1,6 @@
 #ifndef rift_loading_body_force_h
 #define rift_loading_body_force_h
 
-#include <rift/loading/loading_parameters.h>
 #include <rift/module/module.h>
 
 #include <cmath>
@@ -12,15 +11,10 @@ namespace rift
   class BodyForce : public Module
   {
   public:
-    explicit BodyForce(const BodyForceParameters &parameters)
-      : gravity(parameters.gravity)
+    /** @param gravity acceleration, m/s^2. */
+    explicit BodyForce(const Vector3<double> &gravity)
+      : gravity(gravity)
     {
-    }
-
-    static bool
-    is_needed(const BodyForceParameters &parameters)
-    {
-      return dot(parameters.gravity, parameters.gravity) > 0;
     }
 
     Stage
