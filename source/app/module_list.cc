@@ -1,4 +1,5 @@
 #include <rift/app/module_list.h>
+#include <rift/damping/local_damping_parameters.h>
 #include <rift/loading/absorbing_boundary.h>
 #include <rift/loading/body_force_parameters.h>
 #include <rift/loading/prescribed_motion.h>
@@ -129,6 +130,7 @@ namespace rift
   {
     std::vector<std::unique_ptr<ModuleParameters>> list;
     list.push_back(std::make_unique<BodyForceParameters>());
+    list.push_back(std::make_unique<LocalDampingParameters>());
     return list;
   }
 
