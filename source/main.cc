@@ -9,7 +9,6 @@
 #include <chrono>
 #include <csignal>
 #include <iostream>
-#include <new>
 #include <thread>
 
 namespace
@@ -36,12 +35,16 @@ namespace
         rift::validate_scene(
           out,
           rift::read_parameters(command.scene, command.overrides));
+        out << command.scene << " is a valid scene.\n";
         break;
       case Action::run:
+        // Results go to files: a run does not need anybody who reads what it
+        // prints, and goes on when its pipe is closed or its disk full.
+        std::signal(SIGPIPE, SIG_IGN);
         rift::run_simulation(
           rift::read_parameters(command.scene, command.overrides),
           command.restart);
-        break;
+        return;
       }
     if (speaks && !std::cout.flush())
       throw rift::DiskError("cannot write to the standard output.");
@@ -108,24 +111,10 @@ main(int argc, char **argv)
     {
       execute(rift::parse_command_line(argc, argv), speaks);
     }
-  catch (const rift::Error &error)
+  catch (const std::exception &exception)
     {
-      exit_code = fail(error.what(), error.exit_code, for_errors);
-    }
-  catch (const std::bad_alloc &)
-    {
-      exit_code = fail("the memory of this machine is too small for this "
-                       "scene. Use larger elements.",
-                       rift::ExitCode::run_error,
-                       for_errors);
-    }
-  catch (const std::exception &error)
-    {
-      exit_code = fail(std::string("rift has failed in a way that it does not "
-                                   "foresee. Please report this: ") +
-                         error.what(),
-                       rift::ExitCode::run_error,
-                       for_errors);
+      const rift::Error error = rift::to_error(exception);
+      exit_code               = fail(error.what(), error.exit_code, for_errors);
     }
   MPI_Comm_free(&for_errors);
   return exit_code;

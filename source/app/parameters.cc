@@ -82,11 +82,13 @@ namespace rift
       for (const ProbeParameters &probe : parameters.probes)
         if (probe.field == ProbeParameters::Field::force &&
             std::count(rigid.begin(), rigid.end(), probe.material) == 0)
-          throw ParameterError("Probe " + probe.name,
-                               "Material",
-                               "there is no rigid material \"" +
-                                 probe.material + "\"." +
-                                 suggestion(probe.material, rigid));
+          throw ParameterError(
+            "Probe " + probe.name,
+            "Material",
+            "there is no rigid material \"" + probe.material + "\"." +
+              suggestion(probe.material,
+                         rigid,
+                         "No material of this scene is rigid."));
     }
 
     // What can only be seen by looking at more than one subsection.

@@ -1,4 +1,5 @@
 #include <rift/app/results.h>
+#include <rift/base/exceptions.h>
 #include <rift/io/fragments.h>
 #include <rift/io/output_directory.h>
 #include <rift/io/solution_fields.h>
@@ -284,7 +285,6 @@ namespace rift
   void
   Results::finish(const Snapshot &snapshot, Summary summary)
   {
-    flush();
     const Discretization &d = snapshot.body.discretization;
     const auto            fragments =
       list_fragments(d.topology,
@@ -309,8 +309,13 @@ namespace rift
       snapshot.ledger.largest_relative_residual();
     summary.state_hash = state_hash(d.topology, d.state, communicator);
     communicator.on_root([&] {
-      write_fragments(path("fragments.csv"), fragments);
-      write_summary(path("summary.json"), summary);
+      call_all({[&] { energy_file->flush(); },
+                [&] {
+                  if (probes_file)
+                    probes_file->flush();
+                },
+                [&] { write_fragments(path("fragments.csv"), fragments); },
+                [&] { write_summary(path("summary.json"), summary); }});
     });
   }
 } // namespace rift

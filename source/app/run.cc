@@ -1,5 +1,7 @@
 #include <rift/app/run.h>
 #include <rift/app/simulation.h>
+#include <rift/base/launcher.h>
+#include <rift/io/directory_lock.h>
 #include <rift/io/output_directory.h>
 
 #include <iostream>
@@ -26,12 +28,19 @@ namespace rift
     Log        log(communicator.is_root() ? &std::cout : nullptr, interactive);
     if (!parameters.title.empty())
       log.write(parameters.title);
-    // Before the mesh is made, which may take long.
+    if (const std::string doubt = doubt_about_ranks(communicator.size());
+        !doubt.empty())
+      log.write("WARNING: " + doubt);
+    // Before the mesh is made, which may take long. Rank 0 has the lock.
+    std::optional<DirectoryLock> lock;
     communicator.on_root([&] {
       const OutputParameters &output = parameters.output;
       if (is_restart)
         reopen_output_directory(output.directory);
       else
+        create_output_directory(output.directory);
+      lock.emplace(output.directory);
+      if (!is_restart)
         check_output_directory(output.directory, output.overwrite);
     });
     std::optional<Restart> restart;

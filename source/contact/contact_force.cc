@@ -216,13 +216,10 @@ namespace rift
         }
     for (auto &[rank, partner] : asked)
       tellers.push_back(std::move(partner));
-    std::map<int, std::string> messages;
-    for (const auto &[rank, cells] : wanted)
-      messages[rank] = to_bytes(cells);
-    for (const auto &[rank, bytes] : communicator.exchange(messages))
+    for (const auto &[rank, cells] : communicator.exchange(wanted))
       {
         Partner listener{rank, {}};
-        for (const GlobalCellIndex cell : from_bytes<GlobalCellIndex>(bytes))
+        for (const GlobalCellIndex cell : cells)
           listener.cells.push_back(topology.find_cell(cell));
         listeners.push_back(std::move(listener));
       }
