@@ -435,7 +435,7 @@ namespace rift
     if (prescribed_motion)
       prescribed_motion->impose(state, activity, dt);
     if (rigid_bodies)
-      rigid_bodies->move(state, activity, dt);
+      guard([&] { rigid_bodies->move(state, activity, dt); });
     timer.stop("loads and damping");
 
     // 7. Ledger and output at t_n, when due
@@ -455,7 +455,7 @@ namespace rift
     if (contact)
       {
         // Mostly waiting, which is not work that ranks have unequal parts of.
-        contact->follow(state, dt);
+        guard([&] { contact->follow(state, dt); });
         timer.stop("contact search");
       }
 

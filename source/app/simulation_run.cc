@@ -56,12 +56,12 @@ namespace rift
                       state().time,
                       parameters.time.end_time);
     timer.stop("setup");
-    const double wall_start = timer.total();
+    seconds_at_start = timer.total();
     while (state().step < last_step)
       {
         step();
         progress.update(state().step, state().time);
-        if (!must_stop && !is_checkpoint_due)
+        if (failure || (!must_stop && !is_checkpoint_due))
           continue;
         write_checkpoint();
         if (must_stop)
@@ -72,8 +72,7 @@ namespace rift
       }
     step();
     progress.finish();
-    finish(n_cells * (state().step - first_step) /
-           (timer.total() - wall_start));
+    finish();
     return End::done;
   }
 
@@ -86,22 +85,37 @@ namespace rift
                   " s. Go on with --restart.");
   }
 
-  void
-  Simulation::finish(const double cell_steps_per_second)
+  FaceCounts
+  Simulation::count_faces() const
   {
-    Summary summary;
-    summary.time_step_limited_by  = critical.limited_by;
-    summary.wall_seconds          = timer.total();
-    summary.cell_steps_per_second = cell_steps_per_second;
+    return fracture ? fracture->force.count_faces(body.communicator) :
+                      FaceCounts();
+  }
+
+  Summary
+  Simulation::summarize() const
+  {
+    const double cell_steps = 1. * (state().step - first_step) *
+                              body.communicator.sum(topology().n_owned_cells());
+    const FaceCounts faces = count_faces();
+    Summary          summary;
+    summary.time_step_limited_by = critical.limited_by;
+    summary.wall_seconds         = timer.total();
+    summary.cell_steps_per_second =
+      cell_steps / (timer.total() - seconds_at_start);
     summary.wall_seconds_by_stage = timer.seconds();
-    FaceCounts faces;
-    if (fracture)
-      faces = fracture->force.count_faces(body.communicator);
-    summary.faces_inserted = faces.inserted;
-    summary.faces_broken   = faces.failed;
+    summary.faces_inserted        = faces.inserted;
+    summary.faces_broken          = faces.failed;
     if (contact)
       summary.contact_pairs = contact->count_touching();
-    results.finish(snapshot(), summary);
+    return summary;
+  }
+
+  void
+  Simulation::finish()
+  {
+    results.finish(snapshot(), summarize());
+    const FaceCounts faces = count_faces();
     log.write(
       "Done: " + std::to_string(state().step) + " steps" +
       (first_step > 0 ? ", " + std::to_string(state().step - first_step) +
@@ -142,7 +156,32 @@ namespace rift
   }
 
   void
-  Simulation::balance_energy()
+  Simulation::finish_failed(const std::string &message)
+  {
+    if (!results.is_open())
+      return;
+    enter_energies();
+    Summary summary    = summarize();
+    summary.stopped_by = message;
+    const auto attempt = [&](const std::function<void()> &f) {
+      try
+        {
+          f();
+        }
+      catch (const Error &error)
+        {
+          log.write(std::string("WARNING: not all of the state at which the "
+                                "run has failed could be written. ") +
+                    error.what());
+        }
+    };
+    attempt([&] { results.write_history(snapshot()); });
+    attempt([&] { results.write_solution(snapshot()); });
+    attempt([&] { results.finish(snapshot(), summary); });
+  }
+
+  void
+  Simulation::enter_energies()
   {
     EnergySums sums;
     sums.kinetic = kinetic_energy(topology(), state(), dt);
@@ -173,7 +212,11 @@ namespace rift
     if (body_force)
       sums.loads.add(body_force->work(topology(), state()));
     ledger.enter(sums.total(body.communicator));
+  }
 
+  void
+  Simulation::judge_residual() const
+  {
     if (!(std::abs(ledger.relative_residual()) <=
           parameters.time.largest_residual))
       throw RunError(
@@ -230,17 +273,30 @@ namespace rift
     const bool is_last = state().step == last_step;
     const bool history = results.is_history_due(state().time, dt) ||
                          (is_last && results.is_open());
-    const bool solution = results.is_solution_due(state().time, dt);
+    const bool solution = results.is_solution_due(state().time, dt) ||
+                          (is_last && results.has_solutions());
     const auto interval = parameters.checkpoint.interval_in_steps;
     // After this step.
     is_checkpoint_due |= interval > 0 && (state().step + 1) % interval == 0;
     const bool balance =
       history || is_last || state().step % balance_interval == 0;
-    if (balance || solution || is_checkpoint_due ||
-        state().step >= next_agreement)
-      agree();
-    if (balance)
-      balance_energy();
+    try
+      {
+        if (balance || solution || is_checkpoint_due ||
+            state().step >= next_agreement ||
+            (failure && body.communicator.size() == 1))
+          agree();
+        if (balance)
+          {
+            enter_energies();
+            judge_residual();
+          }
+      }
+    catch (const RunError &error)
+      {
+        finish_failed(error.what());
+        throw;
+      }
     if (history)
       results.write_history(snapshot());
     if (solution)
@@ -302,6 +358,27 @@ namespace rift
           moment_text() +
           ". Set a larger \"Stiffness factor\" in subsection "
           "Contact, or choose a weaker load."};
+  }
+
+  void
+  Simulation::guard(const std::function<void()> &f)
+  {
+    try
+      {
+        f();
+      }
+    catch (const Error &error)
+      {
+        const bool do_all_throw =
+          body.communicator.size() == 1 ||
+          dynamic_cast<const CollectiveError *>(&error) != nullptr;
+        if (error.exit_code != ExitCode::run_error || !do_all_throw)
+          throw;
+        // Behind the cells that have failed in the same step.
+        if (!failure)
+          failure = Failure{state().step, invalid_index, error.what()};
+        next_agreement = 0;
+      }
   }
 
   void

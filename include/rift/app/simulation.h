@@ -21,6 +21,7 @@
 #include <rift/time_integration/energy_ledger.h>
 
 #include <chrono>
+#include <functional>
 #include <optional>
 
 namespace rift
@@ -174,9 +175,25 @@ namespace rift
     [[noreturn]] void
     stop() const;
 
+    /** Collective. */
+    FaceCounts
+    count_faces() const;
+
+    /** What the run has come to so far. Collective. */
+    Summary
+    summarize() const;
+
     /** Writes the last results. */
     void
-    finish(double cell_steps_per_second);
+    finish();
+
+    /**
+     * Writes what a run has come to that has failed: a last row of the
+     * histories, a last state and the summary. An error on the way goes to the
+     * log, so that the first one can still be thrown. Collective.
+     */
+    void
+    finish_failed(const std::string &message);
 
     /** Cuts faces; returns the nodes that this has split. */
     TopologyChange
@@ -194,9 +211,13 @@ namespace rift
     void
     count_work();
 
-    /** Enters the energies at t_n into the ledger and judges the residual. */
+    /** Enters the energies at t_n into the ledger. */
     void
-    balance_energy();
+    enter_energies();
+
+    /** @throws RunError on all ranks if the residual is too large. */
+    void
+    judge_residual() const;
 
     void
     write_due_results();
@@ -207,6 +228,11 @@ namespace rift
 
     void
     note_failure(const DeepOverlap &deep);
+
+    /** Calls `f`; a RunError that all ranks throw there is kept in mind until
+     * this step, or the next, is complete up to its results. */
+    void
+    guard(const std::function<void()> &f);
 
     /**
      * Finds out whether all ranks are well. Each rank goes on after a failure
@@ -272,8 +298,8 @@ namespace rift
 
     const StopSignals *stop_signals = nullptr;
     bool               must_stop = false, is_checkpoint_due = false;
-    double             busy_before = 0;
-    std::uint64_t      first_step  = 0;
+    double             busy_before = 0, seconds_at_start = 0;
+    std::uint64_t      first_step = 0;
 
     std::chrono::steady_clock::time_point last_checkpoint;
 

@@ -133,7 +133,8 @@ namespace rift
 
     /**
      * Calls `f` on each rank; where it throws an Error on any of them, all
-     * throw that of the lowest rank. Collective.
+     * throw that of the lowest rank: as a CollectiveError where there are
+     * several ranks. Collective.
      */
     void
     together(const std::function<void()> &f) const;
