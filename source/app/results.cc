@@ -253,6 +253,8 @@ namespace rift
   void
   Results::write_solution(const Snapshot &snapshot)
   {
+    if (!has_solutions())
+      return;
     ++n_solutions;
     const Discretization &d = snapshot.body.discretization;
     solid->write(

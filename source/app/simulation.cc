@@ -166,23 +166,8 @@ namespace rift
   Simulation::step()
   {
     const FlushDenormals flush_denormals;
-    try
-      {
-        compute_step();
-      }
-    catch (const RunError &)
-      {
-        // It may only follow from what a cell has noted some steps before.
-        throw_first_failure();
-        throw;
-      }
-  }
-
-  void
-  Simulation::compute_step()
-  {
-    State      &state = body.discretization.state;
-    StepContext step  = step_context();
+    State               &state = body.discretization.state;
+    StepContext          step  = step_context();
 
     // 1. Faces that have reached their strength are cut, and nodes split
     const TopologyChange change = cut_faces(step);
@@ -209,8 +194,10 @@ namespace rift
       }
 
     // 5. Absorbing boundaries, prescribed motion, rigid bodies
-    for (const auto &module : modules)
-      module->constrain(step);
+    guard([&] {
+      for (const auto &module : modules)
+        module->constrain(step);
+    });
     for (const auto &module : modules)
       module->count_work(step);
     timer.stop(Stage::loads);
@@ -228,8 +215,10 @@ namespace rift
     // 8. Ghost cells follow their owners, and contact the new places
     follow_owners(step, change);
     timer.stop(Stage::exchange);
-    for (const auto &module : modules)
-      module->after_drift(step);
+    guard([&] {
+      for (const auto &module : modules)
+        module->after_drift(step);
+    });
     timer.stop(Stage::contact_search);
 
     // 9. Faces that open take over the forces that have held their nodes

@@ -53,7 +53,7 @@ namespace rift
       {
         step();
         progress.update(state().step, state().time);
-        if (!must_stop && !is_checkpoint_due)
+        if (failures.any() || (!must_stop && !is_checkpoint_due))
           continue;
         write_checkpoint();
         if (must_stop)
@@ -65,8 +65,7 @@ namespace rift
       }
     step();
     progress.finish();
-    finish(n_cells * (state().step - *record->first_step) /
-           (timer.total() - record->seconds_before_steps));
+    finish();
     return End::done;
   }
 
@@ -79,23 +78,38 @@ namespace rift
                   " s. Go on with --restart.");
   }
 
-  void
-  Simulation::finish(const double cell_steps_per_second)
+  FaceCounts
+  Simulation::count_faces() const
   {
-    Summary summary;
-    summary.time_step_limited_by  = critical.limited_by;
-    summary.wall_seconds          = timer.total();
-    summary.cell_steps_per_second = cell_steps_per_second;
+    return modules.fracture != nullptr ?
+             modules.fracture->cohesive_force().count_faces(body.communicator) :
+             FaceCounts();
+  }
+
+  Summary
+  Simulation::summarize() const
+  {
+    const double cell_steps = 1. * (state().step - *record->first_step) *
+                              body.communicator.sum(topology().n_owned_cells());
+    const FaceCounts faces = count_faces();
+    Summary          summary;
+    summary.time_step_limited_by = critical.limited_by;
+    summary.wall_seconds         = timer.total();
+    summary.cell_steps_per_second =
+      cell_steps / (timer.total() - record->seconds_before_steps);
     summary.wall_seconds_by_stage = timer.named_seconds();
-    FaceCounts faces;
-    if (modules.fracture != nullptr)
-      faces = modules.fracture->cohesive_force().count_faces(body.communicator);
-    summary.faces_inserted = faces.inserted;
-    summary.faces_broken   = faces.failed;
+    summary.faces_inserted        = faces.inserted;
+    summary.faces_broken          = faces.failed;
     if (modules.contact != nullptr)
       summary.contact_pairs = modules.contact->count_touching();
-    results.finish(snapshot(), summary);
-    log_end(faces);
+    return summary;
+  }
+
+  void
+  Simulation::finish()
+  {
+    results.finish(snapshot(), summarize());
+    log_end(count_faces());
     body.communicator.on_root([this] { log.check(); });
   }
 
@@ -141,9 +155,39 @@ namespace rift
   }
 
   void
-  Simulation::balance_energy()
+  Simulation::finish_failed(const std::string &message)
+  {
+    if (!results.is_open())
+      return;
+    enter_energies();
+    Summary summary    = summarize();
+    summary.stopped_by = message;
+    const auto attempt = [&](const std::function<void()> &f) {
+      try
+        {
+          f();
+        }
+      catch (const Error &error)
+        {
+          log.write(std::string("WARNING: not all of the state at which the "
+                                "run has failed could be written. ") +
+                    error.what());
+        }
+    };
+    attempt([&] { results.write_history(snapshot()); });
+    attempt([&] { results.write_solution(snapshot()); });
+    attempt([&] { results.finish(snapshot(), summary); });
+  }
+
+  void
+  Simulation::enter_energies()
   {
     ledger.enter(energies().total(body.communicator));
+  }
+
+  void
+  Simulation::judge_residual() const
+  {
     if (!(std::abs(ledger.relative_residual()) <=
           parameters.time.largest_residual))
       throw RunError(
@@ -202,17 +246,30 @@ namespace rift
       results.is_history_due(state().time, steps.time_step) ||
       (is_last && results.is_open());
     const bool solution =
-      results.is_solution_due(state().time, steps.time_step);
+      results.is_solution_due(state().time, steps.time_step) ||
+      (is_last && results.has_solutions());
     const auto interval = parameters.checkpoint.interval_in_steps;
     // After this step.
     is_checkpoint_due |= interval > 0 && (state().step + 1) % interval == 0;
     const bool balance =
       history || is_last || state().step % balance_interval == 0;
-    if (balance || solution || is_checkpoint_due ||
-        state().step >= next_agreement)
-      agree();
-    if (balance)
-      balance_energy();
+    try
+      {
+        if (balance || solution || is_checkpoint_due ||
+            state().step >= next_agreement ||
+            (failures.any() && body.communicator.size() == 1))
+          agree();
+        if (balance)
+          {
+            enter_energies();
+            judge_residual();
+          }
+      }
+    catch (const RunError &error)
+      {
+        finish_failed(error.what());
+        throw;
+      }
     if (history)
       results.write_history(snapshot());
     if (solution)
@@ -238,6 +295,26 @@ namespace rift
            ", t = " + short_text(step * steps.time_step) + " s, time step " +
            short_text(steps.time_step / critical.time_step) +
            " times its safe bound";
+  }
+
+  void
+  Simulation::guard(const std::function<void()> &f)
+  {
+    try
+      {
+        f();
+      }
+    catch (const Error &error)
+      {
+        const bool do_all_throw =
+          body.communicator.size() == 1 ||
+          dynamic_cast<const CollectiveError *>(&error) != nullptr;
+        if (error.exit_code != ExitCode::run_error || !do_all_throw)
+          throw;
+        // Behind the cells that have failed in the same step.
+        failures.note({state().step, invalid_index, error.what(), ""});
+        next_agreement = 0;
+      }
   }
 
   void
@@ -286,8 +363,13 @@ namespace rift
   void
   Simulation::throw_first_failure() const
   {
-    if (const auto first = failures.first_of_ranks(body.communicator))
-      throw RunError(first->what + ". At " + moment_text(first->step) + ". " +
-                     first->advice);
+    const auto first = failures.first_of_ranks(body.communicator);
+    if (!first)
+      return;
+    // An error of a module is a sentence already.
+    throw RunError(first->advice.empty() ?
+                     first->what :
+                     first->what + ". At " + moment_text(first->step) + ". " +
+                       first->advice);
   }
 } // namespace rift

@@ -321,7 +321,8 @@ namespace rift
       return;
     for (const std::string &one : all_gather(failure))
       if (!one.empty())
-        throw Error(static_cast<ExitCode>(one[0] - '0'), one.substr(1));
+        throw CollectiveError(static_cast<ExitCode>(one[0] - '0'),
+                              one.substr(1));
   }
 
   void

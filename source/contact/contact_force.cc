@@ -139,12 +139,13 @@ namespace rift
     largest_speed     = communicator.max(largest_speed);
     const double move = time_step * largest_speed;
     if (move > .5 / skin_per_size * skin)
-      throw RunError("contact: at step " + std::to_string(state.step) +
-                     " something moves with " + short_text(largest_speed) +
-                     " m/s, by " + short_text(move) +
-                     " m or more than half of a cell in a step. It would pass "
-                     "through what it meets. Choose a smaller time step "
-                     "(subsection Time).");
+      throw CollectiveError(
+        ExitCode::run_error,
+        "contact: at step " + std::to_string(state.step) +
+          " something moves with " + short_text(largest_speed) + " m/s, by " +
+          short_text(move) +
+          " m or more than half of a cell in a step. It would pass through "
+          "what it meets. Choose a smaller time step (subsection Time).");
     // What moves by half of the skin in a step is searched for in each, farther
     // off.
     const double reach = skin + 2 * move;

@@ -39,7 +39,7 @@ namespace rift
     for (const NodeIndex node : nodes_of_owned_cells(topology))
       {
         point_of_node[node] = static_cast<NodeIndex>(solution.points.size());
-        solution.points.push_back(state.position(node));
+        solution.points.push_back(state.reference[node].vector());
         for (unsigned int d = 0; d < dim; ++d)
           {
             displacement.values.push_back(
@@ -125,6 +125,7 @@ namespace rift
                                             "time of failure [s]"};
     for (const std::string &name : names)
       solution.cell_data.push_back({name, 1, {}});
+    OutputField displacement{"displacement [m]", 3, {}};
 
     const CohesiveFaces &faces = cohesive_force.faces();
     for (std::size_t i = 0; i < faces.size(); ++i)
@@ -135,11 +136,15 @@ namespace rift
         const CohesiveBatch &batch = faces.batches[i / batch_size];
         for (unsigned int c = 0; c < 3; ++c)
           {
+            const NodeIndex minus = batch.minus[c][i % batch_size];
+            const NodeIndex plus  = batch.plus[c][i % batch_size];
             solution.cells.push_back(
               static_cast<NodeIndex>(solution.points.size()));
-            solution.points.push_back(
-              .5 * (state.position(batch.minus[c][i % batch_size]) +
-                    state.position(batch.plus[c][i % batch_size])));
+            solution.points.push_back(state.reference[minus].vector());
+            for (unsigned int d = 0; d < dim; ++d)
+              displacement.values.push_back(
+                static_cast<float>(.5 * (state.displacement[minus][d] +
+                                         state.displacement[plus][d])));
           }
         const FaceMeans means    = face_means(state, cohesive_force, i);
         const double    values[] = {means.damage,
@@ -153,6 +158,7 @@ namespace rift
         for (std::size_t k = 0; k < names.size(); ++k)
           solution.cell_data[k].values.push_back(static_cast<float>(values[k]));
       }
+    solution.point_data = {displacement};
     return solution;
   }
 

@@ -296,20 +296,25 @@ namespace rift
     const auto loads  = total_loads();
     const auto driven = driven_velocities(state.time + .5 * time_step);
     work_done.begin_step();
+    std::string failure;
     for (std::size_t i = 0; i < bodies.size(); ++i)
       {
         Body &body  = bodies[i];
         body.motion = kicked(body, loads[i], driven[body.material], time_step);
         const auto &v = body.motion.velocity, &l = body.motion.angular_momentum;
-        const auto  fail = [&](const std::string &what) {
-          throw RunError("step " + std::to_string(state.step) +
-                         ": a rigid body of " + material_names[body.material] +
-                         what + " Look at the last results in ParaView.");
-        };
-        if (!std::isfinite(dot(v, v) + dot(l, l)))
-          fail(" has a velocity that is not a number.");
-        if (!drift(body.motion, body.mass, time_step))
-          fail(" turns by more than 60 degrees in a step.");
+        const char *fault = !std::isfinite(dot(v, v) + dot(l, l)) ?
+                              " has a velocity that is not a number." :
+                            !drift(body.motion, body.mass, time_step) ?
+                              " turns by more than 60 degrees in a step." :
+                              nullptr;
+        if (fault != nullptr)
+          {
+            if (failure.empty())
+              failure = "step " + std::to_string(state.step) +
+                        ": a rigid body of " + material_names[body.material] +
+                        fault + " Look at the last results in ParaView.";
+            continue;
+          }
         if (!body.is_awake && (dot(v, v) > 0 || dot(l, l) > 0))
           {
             body.is_awake = true;
@@ -318,6 +323,8 @@ namespace rift
           }
         move_nodes(body, state, time_step);
       }
+    if (!failure.empty())
+      throw CollectiveError(ExitCode::run_error, failure);
   }
 
   void

@@ -6,6 +6,7 @@
 
 #include "../cohesive/breaking_body.h"
 #include "../support/divided_body.h"
+#include "../support/vtu_file.h"
 
 using namespace rift;
 using namespace rift::test;
@@ -162,6 +163,86 @@ TEST(SolutionFields, PiecesMakeTheWholeFracture)
       EXPECT_EQ(expected.size(), divided.cuts.size());
       EXPECT_EQ(all_rows(piece, all), expected) << "seed " << seed;
     }
+}
+
+namespace
+{
+  /** Where a point was, and its displacement in single precision. */
+  using PointRow = std::pair<Vector3<double>, std::array<float, dim>>;
+
+  PointRow
+  row_of(const Vector3<double> &reference, const Vector3<double> &displacement)
+  {
+    PointRow row{reference, {}};
+    std::copy(displacement.begin(), displacement.end(), row.second.begin());
+    return row;
+  }
+
+  /** Points and displacements of a file. */
+  std::vector<PointRow>
+  read_points(const Solution &solution)
+  {
+    const TemporaryDirectory directory;
+    write_vtu(directory / "s.vtu", 0, solution);
+    const VtuFile         file(directory / "s.vtu");
+    const auto            points       = file.array<double>("Points");
+    const auto            displacement = file.array<float>("displacement [m]");
+    std::vector<PointRow> rows(points.size() / dim);
+    EXPECT_EQ(points.size(), displacement.size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          rows[i].first[d]  = points[dim * i + d];
+          rows[i].second[d] = displacement[dim * i + d];
+        }
+    return rows;
+  }
+
+  /** A body that has been cut, broken and moved, far from the origin. */
+  DiscreteBody
+  body_in_a_mine()
+  {
+    DiscreteBody body = DividedBody(1, this_rank_alone).whole;
+    for (NodalVector &x : body.state.reference)
+      x[1] += 5.1e5;
+    return body;
+  }
+} // namespace
+
+TEST(SolutionFields, PointsAreThoseOfTheUndeformedBody)
+{
+  const DiscreteBody    body  = body_in_a_mine();
+  const State          &state = body.state;
+  std::vector<PointRow> expected;
+  for (NodeIndex node = 0; node < state.n_nodes(); ++node)
+    expected.push_back(row_of(state.reference[node].vector(),
+                              state.displacement[node].vector()));
+  EXPECT_EQ(read_points(solid(body, this_rank_alone)), expected);
+}
+
+TEST(SolutionFields, FacesStandInTheUndeformedBodyToo)
+{
+  DiscreteBody       body     = body_in_a_mine();
+  const Topology    &topology = body.topology;
+  const auto         rows     = read_points(fracture(body));
+  std::set<PointRow> expected;
+  for (FaceIndex face = 0; face < topology.faces.size(); ++face)
+    for (unsigned int c = 0; c < 3; ++c)
+      if (topology.face_states[face] != FaceState::intact)
+        {
+          const auto &[cells, local_faces] = topology.faces[face];
+          const NodeIndex minus =
+            topology.node(cells[0], face_corners[local_faces[0]][c]);
+          const NodeIndex plus = topology.node(
+            cells[1],
+            topology.corner_at_vertex(cells[1], topology.node_vertices[minus]));
+          expected.insert(
+            row_of(body.state.reference[plus].vector(),
+                   .5 * (body.state.displacement[minus].vector() +
+                         body.state.displacement[plus].vector())));
+        }
+  EXPECT_GT(rows.size(), 50u);
+  EXPECT_EQ((std::set<PointRow>(rows.begin(), rows.end())), expected);
 }
 
 TEST(StateHash, IsTheSameOnAnyNumberOfRanks)

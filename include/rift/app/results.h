@@ -101,11 +101,18 @@ namespace rift
     bool
     is_solution_due(double time, double time_step) const;
 
+    /** Whether states for ParaView are written at all. */
+    bool
+    has_solutions() const
+    {
+      return solid.has_value();
+    }
+
     /** Adds a row to energy.csv and probes.csv. */
     void
     write_history(const Snapshot &snapshot);
 
-    /** Adds a state to solid.pvd and fracture.pvd. */
+    /** Adds a state to solid.pvd and fracture.pvd, if there are any. */
     void
     write_solution(const Snapshot &snapshot);
 
@@ -114,7 +121,8 @@ namespace rift
     flush();
 
     /**
-     * Writes fragments.csv and summary.json.
+     * Writes fragments.csv and summary.json: at the end, or where the run has
+     * failed.
      *
      * @param summary with what the snapshot does not tell.
      */

@@ -12,6 +12,7 @@
 #include <rift/time_integration/step_choice.h>
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -105,10 +106,6 @@ namespace rift
     void
     prepare(const Restart *restart);
 
-    /** One step, in the order of the algorithm. */
-    void
-    compute_step();
-
     /** What the modules see of the step. */
     StepContext
     step_context();
@@ -146,9 +143,25 @@ namespace rift
     [[noreturn]] void
     stop() const;
 
+    /** Collective. */
+    FaceCounts
+    count_faces() const;
+
+    /** What the run has come to so far. Collective. */
+    Summary
+    summarize() const;
+
     /** Writes the last results. */
     void
-    finish(double cell_steps_per_second);
+    finish();
+
+    /**
+     * Writes what a run has come to that has failed: a last row of the
+     * histories, a last state and the summary. An error on the way goes to the
+     * log, so that the first one can still be thrown. Collective.
+     */
+    void
+    finish_failed(const std::string &message);
 
     /** Says how the run has ended, with warnings. */
     void
@@ -158,12 +171,21 @@ namespace rift
     EnergyTable
     energies() const;
 
-    /** Enters the energies at t_n into the ledger and judges the residual. */
+    /** Enters the energies at t_n into the ledger. */
     void
-    balance_energy();
+    enter_energies();
+
+    /** @throws RunError on all ranks if the residual is too large. */
+    void
+    judge_residual() const;
 
     void
     write_due_results();
+
+    /** Calls `f`; a RunError that all ranks throw there is kept in mind until
+     * this step, or the next, is complete up to its results. */
+    void
+    guard(const std::function<void()> &f);
 
     /**
      * Finds out whether all ranks are well. Each rank goes on after a failure

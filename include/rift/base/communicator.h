@@ -154,8 +154,8 @@ namespace rift
 
     /**
      * Calls `f` on each rank; where it throws on any of them, all throw the
-     * Error of the lowest of these ranks. What is no Error becomes one by
-     * to_error(). Collective.
+     * Error of the lowest of these ranks: as a CollectiveError where there are
+     * several. What is no Error becomes one by to_error(). Collective.
      */
     void
     together(const std::function<void()> &f) const;

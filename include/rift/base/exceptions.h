@@ -55,6 +55,16 @@ namespace rift
     }
   };
 
+  /**
+   * An error that all ranks throw at the same place, so that they can still do
+   * something together before the program ends.
+   */
+  class CollectiveError : public Error
+  {
+  public:
+    using Error::Error;
+  };
+
   /** A file could not be written in full. */
   class DiskError : public Error
   {

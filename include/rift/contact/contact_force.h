@@ -89,6 +89,8 @@ namespace rift
      * each drift, when the nodes of ghost cells have followed. Collective.
      *
      * @param time_step s.
+     * @throws RunError or CollectiveError, on all ranks, when something moves
+     *   too fast to be found or too many cells lie at one place.
      */
     void
     follow(const State &state, double time_step);

@@ -13,8 +13,9 @@
 namespace rift
 {
   /**
-   * The cells that this rank owns as they are now: displacement and velocity of
-   * their nodes, Cauchy stress, material and fragment.
+   * The cells that this rank owns, at their place in the undeformed body:
+   * displacement and velocity of their nodes, Cauchy stress, material and
+   * fragment.
    *
    * @param fragments number for each cell slot; see number_fragments().
    */
@@ -27,9 +28,10 @@ namespace rift
 
   /**
    * The cohesive elements of this rank that have begun to open, each a triangle
-   * halfway between its sides: damage, mode (0: opening, 1: sliding), opening,
-   * slip, normal and shear traction as means over the Gauss points, times of
-   * insertion and of failure (-1: has not failed).
+   * at its place in the undeformed body: displacement halfway between its
+   * sides, damage, mode (0: opening, 1: sliding), opening, slip, normal and
+   * shear traction as means over the Gauss points, times of insertion and of
+   * failure (-1: has not failed).
    */
   Solution
   fracture_solution(const Topology      &topology,

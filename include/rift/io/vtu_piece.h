@@ -35,7 +35,9 @@ namespace rift
     /** 4: tetrahedra. 3: triangles. */
     unsigned int nodes_per_cell = n_corners;
 
-    /** Coordinates, m. */
+    /** Coordinates, m, in the undeformed body: ParaView adds the displacement.
+     * They are in double precision, which they need at the coordinates of a
+     * mine; a field of displacements does not. */
     std::vector<Vector3<double>> points;
 
     /** Indices into `points`, cell after cell. */

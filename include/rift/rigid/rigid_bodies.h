@@ -85,7 +85,8 @@ namespace rift
      * those there. To be called between the last force and the kick.
      * Collective.
      *
-     * @throws RunError on all ranks when a body turns too fast for the step.
+     * @throws CollectiveError when a body turns too fast for the step; the
+     *   others have been moved then.
      */
     void
     move(State &state, Activity &activity, double time_step);
