@@ -151,8 +151,7 @@ namespace rift
           ": only outer surfaces can be loaded, held or probed. Take one of "
           "these, or mesh the two sides apart, with a small gap between them, "
           "such as 1e-6 m (in gmsh without Coherence and BooleanFragments), "
-          "and "
-          "let them meet by contact.");
+          "and let them meet by contact.");
       throw InputError(
         start + "which the mesh " + mesh.source + " does not have." +
         suggestion(name,
