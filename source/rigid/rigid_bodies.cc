@@ -352,6 +352,14 @@ namespace rift
     return sums;
   }
 
+  void
+  RigidBodies::declare_fields(FieldList &list, const RigidBodies *bodies)
+  {
+    list.add_of_material("force", "N", [bodies](const std::string &material) {
+      return bodies->force(material);
+    });
+  }
+
   std::vector<RigidBodyRecord>
   RigidBodies::records() const
   {

@@ -185,6 +185,24 @@ namespace rift
     return sigma;
   }
 
+  void
+  InternalForce::declare_fields(FieldList &list, const InternalForce *force)
+  {
+    const auto stress = [force, state = list.state()](const std::size_t cell) {
+      return force->cauchy_stress(*state, cell);
+    };
+    list.add("stress", "Pa", FieldLocation::cell, stress);
+    list.add(
+      "pressure",
+      "Pa",
+      FieldLocation::cell,
+      [stress](const std::size_t cell) {
+        const SymmetricTensor<double> s = stress(cell);
+        return -(s[0] + s[1] + s[2]) / 3;
+      },
+      FieldUse::on_request);
+  }
+
   ExactSum
   InternalForce::strain_energy(const State &state) const
   {
