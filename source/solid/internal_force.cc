@@ -1,5 +1,6 @@
 #include <rift/solid/cell_kernel.h>
 #include <rift/solid/internal_force.h>
+#include <rift/solid/principal_stresses.h>
 
 #include <cmath>
 
@@ -192,6 +193,16 @@ namespace rift
       return force->cauchy_stress(*state, cell);
     };
     list.add("stress", "Pa", FieldLocation::cell, stress);
+    list
+      .add(
+        "principal stress",
+        "Pa",
+        FieldLocation::cell,
+        [stress](const std::size_t cell) {
+          return principal_stresses(stress(cell));
+        },
+        FieldUse::on_request)
+      .components = {"1", "2", "3"};
     list.add(
       "pressure",
       "Pa",
