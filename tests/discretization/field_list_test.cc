@@ -102,6 +102,7 @@ TEST(FieldList, NodalFields)
   state.resize(1);
   state.displacement[0][1] = .25;
   state.velocity[0][2]     = 3;
+  state.velocity[0][0]     = -3;
   state.force[0][2]        = 8;
   state.mass[0]            = 2;
   FieldList list(state, .5);
@@ -111,5 +112,7 @@ TEST(FieldList, NodalFields)
   EXPECT_EQ(value, (Vector3<double>{{0, .25, 0}}));
   // Half a kick on: 3 + 8/2 * .25
   field(list, "velocity", FieldLocation::node).values(0, value.data());
-  EXPECT_EQ(value, (Vector3<double>{{0, 0, 4}}));
+  EXPECT_EQ(value, (Vector3<double>{{-3, 0, 4}}));
+  field(list, "speed", FieldLocation::node).values(0, value.data());
+  EXPECT_EQ(value[0], 5);
 }

@@ -225,7 +225,7 @@ namespace rift
     }
   };
 
-  /** Declares displacement and velocity of the nodes. */
+  /** Declares displacement, velocity and speed of the nodes. */
   inline void
   declare_nodal_fields(FieldList &list)
   {
@@ -243,6 +243,14 @@ namespace rift
              [state, time_step](const std::size_t node) {
                return velocity_at_step(*state, time_step, node);
              });
+    list.add(
+      "speed",
+      "m/s",
+      FieldLocation::node,
+      [state, time_step](const std::size_t node) {
+        return norm(velocity_at_step(*state, time_step, node));
+      },
+      FieldUse::on_request);
   }
 } // namespace rift
 
