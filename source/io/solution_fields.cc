@@ -76,13 +76,14 @@ namespace rift
         for (const Field &field : list)
           if (field.location == location && wanted.includes(field))
             {
-              const auto &names = field.components;
+              const std::size_t n = field.components.size();
               fields.push_back(&field);
-              columns.push_back(
-                {title(field.name, field.unit),
-                 static_cast<unsigned int>(names.size()),
-                 {},
-                 names.size() == dim ? names : std::vector<std::string>()});
+              columns.push_back({title(field.name, field.unit),
+                                 static_cast<unsigned int>(n),
+                                 {},
+                                 n == dim && field.components[0] != "x" ?
+                                   field.components :
+                                   std::vector<std::string>()});
             }
       }
 

@@ -286,6 +286,10 @@ TEST(SolutionFields, OnlyThoseThatAreWanted)
                    "time of failure [s]"}));
 
   const FieldSelection some{{"slip", "pressure", "velocity"}};
+  piece = solid(body, this_rank_alone, {{"principal stress"}});
+  EXPECT_EQ(piece.cell_data.at(0).components, (Names{"1", "2", "3"}));
+  piece = solid(body, this_rank_alone, {{"velocity"}});
+  EXPECT_TRUE(piece.point_data.at(0).components.empty());
   piece = solid(body, this_rank_alone, some);
   EXPECT_EQ(names(piece.point_data), Names{"velocity [m/s]"});
   EXPECT_EQ(names(piece.cell_data), Names{"pressure [Pa]"});
