@@ -80,7 +80,7 @@ namespace rift
         if (material.is_rigid())
           rigid.push_back(material.name);
       for (const ProbeParameters &probe : parameters.probes)
-        if (probe.field == ProbeParameters::Field::force &&
+        if (probe.field.location == FieldLocation::material &&
             std::count(rigid.begin(), rigid.end(), probe.material) == 0)
           throw ParameterError(
             "Probe " + probe.name,

@@ -20,6 +20,20 @@ namespace rift
       return 1024ull * static_cast<std::uint64_t>(usage.ru_maxrss);
     }
 
+    /** The fields of all modules. */
+    FieldList
+    fields_of(const Snapshot &snapshot)
+    {
+      FieldList list(snapshot.body.discretization.state, snapshot.time_step);
+      declare_nodal_fields(list);
+      InternalForce::declare_fields(list, &snapshot.internal_force);
+      if (snapshot.cohesive_force != nullptr)
+        CohesiveForce::declare_fields(list, snapshot.cohesive_force);
+      if (snapshot.rigid_bodies != nullptr)
+        RigidBodies::declare_fields(list, snapshot.rigid_bodies);
+      return list;
+    }
+
     /** The terms of the ledger with their names. */
     NamedNumbers
     named_energies(const EnergyLedger &ledger)
@@ -99,6 +113,7 @@ namespace rift
     , solution_interval(parameters.output.solution_interval)
     , history_interval(parameters.output.history_interval)
     , ranks_per_file(parameters.output.ranks_per_file)
+    , output_fields(parameters.output.fields)
     , initial_nodes(
         communicator.sum(body.discretization.topology.n_owned_nodes()))
   {
@@ -234,13 +249,7 @@ namespace rift
     std::vector<double> values = {d.state.time};
     if (!probes.empty())
       for (const double value :
-           probe_values(probes,
-                        d.topology,
-                        snapshot.internal_force,
-                        snapshot.rigid_bodies,
-                        d.state,
-                        velocity_at_step(d.state, snapshot.time_step),
-                        communicator))
+           probe_values(probes, d.topology, fields_of(snapshot), communicator))
         values.push_back(value);
 
     communicator.on_root([&] {
@@ -256,21 +265,23 @@ namespace rift
     if (!has_solutions())
       return;
     ++n_solutions;
-    const Discretization &d = snapshot.body.discretization;
-    solid->write(
-      d.state.time,
-      solid_solution(d.topology,
-                     d.state,
-                     snapshot.internal_force,
-                     velocity_at_step(d.state, snapshot.time_step),
-                     number_fragments(d.topology,
-                                      d.reference,
-                                      densities_of(snapshot.body.materials),
-                                      communicator)));
+    const Discretization      &d      = snapshot.body.discretization;
+    FieldList                  fields = fields_of(snapshot);
+    std::vector<std::uint32_t> fragments;
+    declare_labels(fields, &d.topology, &fragments);
+    if (output_fields.includes(*fields.find("fragment", FieldLocation::cell)))
+      fragments = number_fragments(d.topology,
+                                   d.reference,
+                                   densities_of(snapshot.body.materials),
+                                   communicator);
+    solid->write(d.state.time,
+                 solid_solution(d.topology, fields, output_fields));
     if (fracture)
-      fracture->write(
-        d.state.time,
-        fracture_solution(d.topology, d.state, *snapshot.cohesive_force));
+      fracture->write(d.state.time,
+                      fracture_solution(d.topology,
+                                        *snapshot.cohesive_force,
+                                        fields,
+                                        output_fields));
     flush();
   }
 

@@ -396,6 +396,7 @@ namespace rift
       {
         result.opening = memory->points[point].opening[lane];
         result.slip    = memory->points[point].slip[lane];
+        result.damage  = std::min(1., std::hypot(result.opening, result.slip));
       }
     return result;
   }

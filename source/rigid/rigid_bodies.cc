@@ -370,6 +370,14 @@ namespace rift
   }
 
   void
+  RigidBodies::declare_fields(FieldList &list, const RigidBodies *bodies)
+  {
+    list.add_of_material("force", "N", [bodies](const std::string &material) {
+      return bodies->force(material);
+    });
+  }
+
+  void
   RigidBodies::save(const Discretization &, Archive &archive) const
   {
     // All ranks have the same.

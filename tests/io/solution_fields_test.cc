@@ -92,22 +92,25 @@ namespace
   }
 
   Solution
-  solid(const DiscreteBody &body, const Communicator &communicator)
+  solid(const DiscreteBody   &body,
+        const Communicator   &communicator,
+        const FieldSelection &wanted = {})
   {
     const InternalForce force(body.topology,
                               body.reference,
                               laws_of(two_granites()));
-    return solid_solution(
-      body.topology,
-      body.state,
-      force,
-      velocities(body.state),
-      number_fragments(body.topology, body.reference, densities, communicator));
+    const auto          fragments =
+      number_fragments(body.topology, body.reference, densities, communicator);
+    FieldList fields(body.state, 0);
+    declare_nodal_fields(fields);
+    InternalForce::declare_fields(fields, &force);
+    declare_labels(fields, &body.topology, &fragments);
+    return solid_solution(body.topology, fields, wanted);
   }
 
   /** All faces that are cut have begun to open and have been worked on. */
   Solution
-  fracture(DiscreteBody &body)
+  fracture(DiscreteBody &body, const FieldSelection &wanted = {})
   {
     const FaceStrengths        strengths(body.topology,
                                   body.reference,
@@ -126,7 +129,10 @@ namespace
         openings.push_back({face, c, {{0, 0, 0}}});
     force.start_openings(body.state, openings);
     force.add_to(body.state, Activity(body.topology));
-    return fracture_solution(body.topology, body.state, force);
+    FieldList fields(body.state, 0);
+    declare_nodal_fields(fields);
+    CohesiveForce::declare_fields(fields, &force);
+    return fracture_solution(body.topology, force, fields, wanted);
   }
 
   std::string
@@ -243,6 +249,68 @@ TEST(SolutionFields, FacesStandInTheUndeformedBodyToo)
         }
   EXPECT_GT(rows.size(), 50u);
   EXPECT_EQ((std::set<PointRow>(rows.begin(), rows.end())), expected);
+}
+
+namespace
+{
+  std::vector<std::string>
+  names(const std::vector<OutputField> &fields)
+  {
+    std::vector<std::string> result;
+    for (const OutputField &field : fields)
+      result.push_back(field.name);
+    return result;
+  }
+} // namespace
+
+TEST(SolutionFields, OnlyThoseThatAreWanted)
+{
+  using Names       = std::vector<std::string>;
+  DiscreteBody body = DividedBody(1, this_rank_alone).whole;
+
+  Solution piece = solid(body, this_rank_alone);
+  EXPECT_EQ(names(piece.point_data),
+            (Names{"displacement [m]", "velocity [m/s]"}));
+  EXPECT_EQ(names(piece.cell_data),
+            (Names{"stress [Pa]", "material", "fragment"}));
+  piece = fracture(body);
+  EXPECT_EQ(names(piece.point_data), Names{"displacement [m]"});
+  EXPECT_EQ(names(piece.cell_data),
+            (Names{"damage",
+                   "mode",
+                   "opening [m]",
+                   "slip [m]",
+                   "normal traction [Pa]",
+                   "shear traction [Pa]",
+                   "time of insertion [s]",
+                   "time of failure [s]"}));
+
+  const FieldSelection some{{"slip", "pressure", "velocity"}};
+  piece = solid(body, this_rank_alone, {{"principal stress"}});
+  EXPECT_EQ(piece.cell_data.at(0).components, (Names{"1", "2", "3"}));
+  piece = solid(body, this_rank_alone, {{"velocity"}});
+  EXPECT_TRUE(piece.point_data.at(0).components.empty());
+  piece = solid(body, this_rank_alone, some);
+  EXPECT_EQ(names(piece.point_data), Names{"velocity [m/s]"});
+  EXPECT_EQ(names(piece.cell_data), Names{"pressure [Pa]"});
+  piece = fracture(body, some);
+  EXPECT_TRUE(piece.point_data.empty());
+  EXPECT_EQ(names(piece.cell_data), Names{"slip [m]"});
+
+  // Without values, and with them.
+  Names known, written;
+  for (const Field &field : known_output_fields())
+    if (field.location != FieldLocation::material)
+      known.push_back(title(field.name, field.unit));
+  for (const Solution &all :
+       {solid(body, this_rank_alone, {{"all"}}), fracture(body, {{"all"}})})
+    for (const auto *fields : {&all.point_data, &all.cell_data})
+      for (const std::string &name : names(*fields))
+        written.push_back(name);
+  std::sort(known.begin(), known.end());
+  std::sort(written.begin(), written.end());
+  written.erase(std::unique(written.begin(), written.end()), written.end());
+  EXPECT_EQ(known, written);
 }
 
 TEST(StateHash, IsTheSameOnAnyNumberOfRanks)

@@ -8,6 +8,7 @@
 #include <rift/io/probes.h>
 #include <rift/io/summary.h>
 #include <rift/io/vtu_output.h>
+#include <rift/rigid/rigid_bodies.h>
 #include <rift/solid/internal_force.h>
 #include <rift/time_integration/energy_ledger.h>
 
@@ -148,13 +149,14 @@ namespace rift
       return directory + "/" + file;
     }
 
-    const Communicator communicator;
-    const std::string  directory;
-    const double       solution_interval, history_interval;
-    const int          ranks_per_file;
-    bool               was_opened  = false;
-    std::uint64_t      n_solutions = 0, n_rows = 0;
-    const std::size_t  initial_nodes;
+    const Communicator   communicator;
+    const std::string    directory;
+    const double         solution_interval, history_interval;
+    const int            ranks_per_file;
+    const FieldSelection output_fields;
+    bool                 was_opened  = false;
+    std::uint64_t        n_solutions = 0, n_rows = 0;
+    const std::size_t    initial_nodes;
 
     std::vector<Probe> probes;
 

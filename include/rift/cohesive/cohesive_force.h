@@ -7,6 +7,7 @@
 #include <rift/cohesive/face_slopes.h>
 #include <rift/cohesive/face_strengths.h>
 #include <rift/discretization/activity.h>
+#include <rift/discretization/field_list.h>
 #include <rift/discretization/ghost_exchange.h>
 #include <rift/discretization/state.h>
 
@@ -185,16 +186,21 @@ namespace rift
       return cohesive_faces;
     }
 
+    /** Declares what is known of cohesive faces.
+     * @param force null: the names alone. */
+    static void
+    declare_fields(FieldList &list, const CohesiveForce *force);
+
     /** Collective. */
     FaceCounts
     count_faces(const Communicator &communicator) const;
 
-    /** Jump at a point of a face in its frame, m, its traction, Pa, and the
-     * two parts of its damage. */
+    /** Jump at a point of a face in its frame, m, its traction, Pa, its damage
+     * and the two parts of that. */
     struct PointState
     {
       Vector3<double> jump, traction;
-      double          opening, slip;
+      double          damage, opening, slip;
     };
 
     PointState

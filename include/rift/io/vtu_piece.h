@@ -27,6 +27,9 @@ namespace rift
 
     /** Component c of item i is at `n_components * i + c`. */
     std::vector<float> values;
+
+    /** What ParaView calls the components of a vector; empty: X, Y, Z. */
+    std::vector<std::string> components = {};
   };
 
   /** One state of the solid or of the fracture surfaces. */

@@ -3,6 +3,7 @@
 
 #include <rift/base/communicator.h>
 #include <rift/discretization/activity.h>
+#include <rift/discretization/field_list.h>
 #include <rift/discretization/work.h>
 #include <rift/loading/time_function.h>
 #include <rift/material/material_parameters.h>
@@ -119,6 +120,11 @@ namespace rift
      * loads and gravity. The part of this rank. */
     std::array<ExactSum, dim>
     force(const std::string &material) const;
+
+    /** Declares the force on the bodies of a material.
+     * @param bodies null: the names alone. */
+    static void
+    declare_fields(FieldList &list, const RigidBodies *bodies);
 
   private:
     struct Body
