@@ -397,8 +397,9 @@ def plot_contact():
     rising = slice(0, np.argmax(mean))
     limit = np.interp(.15, mean[rising], depths[1:][rising])
     print(f"force largest at depth {depths[np.argmax(force)]:.3f} h: "
-          f"{force.max():.3f} p S; mean of phi_A + phi_B 0.15 at {limit:.3f} h; "
-          f"potential largest at {depths[np.argmax(potential)]:.3f} h")
+          f"{force.max():.3f} p S; mean of phi_A + phi_B 0.15 at "
+          f"{limit:.3f} h; potential largest at "
+          f"{depths[np.argmax(potential)]:.3f} h")
 
     figure, (left, right) = axes(2, figsize=(9.5, 3.9))
     left.plot(depths, force, "C0", label="two tetrahedra, face to face")
