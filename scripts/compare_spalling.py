@@ -86,9 +86,9 @@ class Run:
 
 def print_table(runs):
     reference = next(iter(runs.values()))
-    print("| | front at 20 us | over the first | noise of sigma_xx | "
-          "FSPV reaches 1 m/s | peak of the FSPV | most opened area at | "
-          "energy used by fracture | steps | residual |")
+    print("| | front at 20 us | over the first run | noise of sigma_xx | "
+          "FSPV reaches 1 m/s | peak of the FSPV | largest opened area at | "
+          "dissipated by fracture | steps | residual |")
     print("|---|---|---|---|---|---|---|---|---|---|")
     for label, run in runs.items():
         s = run.summary

@@ -13,7 +13,7 @@ namespace rift
    * Local, non-viscous damping for quasi-static problems: each component of the
    * force on a node is reduced by a share of itself where it accelerates the
    * node, and raised where it slows it down, F - alpha |F| sign(v) (Cundall
-   * 1987; doc/theory.md, eq. 33). A steady state is not changed, and all
+   * 1987; doc/theory.md, eq. 34). A steady state is not changed, and all
    * frequencies are damped alike. Nodes of rigid bodies are left alone.
    *
    * It acts on the sum of all other forces, but not on reactions, and after
