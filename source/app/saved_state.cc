@@ -1,6 +1,7 @@
 #include <rift/app/saved_state.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace rift
 {
@@ -13,8 +14,7 @@ namespace rift
   template <>
   struct HasPlainBytes<CohesiveFaceRecord> : std::true_type
   {
-    static_assert(sizeof(CohesiveFaceRecord) ==
-                  2 * 4 + 8 * 8 + n_face_points * 17 * 8);
+    static_assert(sizeof(CohesiveFaceRecord) == 2 * 4 + 7 * 8);
   };
 
   template <>
@@ -103,7 +103,14 @@ namespace rift
   {
     file.write("nodes", nodes);
     file.write("cut faces", cut_faces);
-    file.write("cohesive faces", cohesive_faces);
+    file.write("cohesive faces", cohesive_faces.faces);
+    std::string names;
+    for (const auto &[name, numbers] : cohesive_faces.points)
+      {
+        file.write("cohesive " + name, numbers);
+        names += name + "\n";
+      }
+    file.write_text("cohesive fields", names);
     file.write("contact pairs", contact_pairs);
     file.write("contact cells", contact_cells);
     file.write("rigid bodies", rigid_bodies);
@@ -116,7 +123,12 @@ namespace rift
   {
     append(nodes, file.read<NodeRecord>("nodes"));
     append(cut_faces, file.read<CutFaceRecord>("cut faces"));
-    append(cohesive_faces, file.read<CohesiveFaceRecord>("cohesive faces"));
+    append(cohesive_faces.faces,
+           file.read<CohesiveFaceRecord>("cohesive faces"));
+    std::istringstream names(file.read_text("cohesive fields"));
+    for (std::string name; std::getline(names, name);)
+      append(cohesive_faces.points[name],
+             file.read<double>("cohesive " + name));
     append(contact_pairs, file.read<ContactPairRecord>("contact pairs"));
     append(contact_cells, file.read<ContactCellRecord>("contact cells"));
     append(rigid_bodies, file.read<RigidBodyRecord>("rigid bodies"));
@@ -196,7 +208,7 @@ namespace rift
     std::vector<double> costs(n_cells, 1.);
     for (const GlobalCellIndex cell : saved.resting_cells)
       costs[cell] = resting_cost;
-    for (const CohesiveFaceRecord &record : saved.cohesive_faces)
+    for (const CohesiveFaceRecord &record : saved.cohesive_faces.faces)
       costs[record.face.cell] += face_cost;
     return costs;
   }

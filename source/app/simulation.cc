@@ -184,7 +184,7 @@ namespace rift
                                     reference,
                                     internal_force,
                                     fracture->strengths,
-                                    cohesive.least_share);
+                                    cohesive);
         internal_force.watch(fracture->strengths.stress_bounds());
       }
     else
@@ -256,23 +256,24 @@ namespace rift
       return parameters.contact.friction_of(body.materials[a].name,
                                             body.materials[b].name);
     };
+    // Whether the sides are bonded or a cohesive element resists their overlap.
+    interface.is_held = [this](const FaceIndex face) {
+      return topology().face_states[face] != FaceState::released;
+    };
     if (fracture)
       {
         CohesiveForce &force = fracture->force;
         force.leave_failed_faces_to_contact(ContactForce::crack_interval);
-        interface.is_held = [&force](const FaceIndex face) {
-          return force.holds(face);
-        };
-        interface.n_crack_events     = [&force] { return force.n_events(); };
-        interface.for_each_open_face = [&force](const auto &f) {
-          for (std::size_t i = 0; i < force.faces().size(); ++i)
-            if (force.has_opened(i))
-              f(force.faces().infos[i].face);
+        const CohesiveFaces &faces   = force.faces();
+        interface.n_crack_events     = [&faces] { return faces.n_events(); };
+        interface.for_each_open_face = [&faces](const auto &f) {
+          for (std::size_t i = 0; i < faces.size(); ++i)
+            if (faces.has_opened(i))
+              f(faces.infos[i].face);
         };
       }
     else
       {
-        interface.is_held            = [](FaceIndex) { return true; };
         interface.n_crack_events     = [] { return std::uint64_t(0); };
         interface.for_each_open_face = [](const auto &) {};
       }

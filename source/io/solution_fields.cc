@@ -67,47 +67,6 @@ namespace rift
     return solution;
   }
 
-  namespace
-  {
-    /** Means over the Gauss points of one cohesive face. */
-    struct FaceMeans
-    {
-      double damage = 0, opening = 0, slip = 0, normal = 0, shear = 0;
-      double opening_damage = 0, slip_damage = 0;
-
-      /** Share of sliding in the damage, from 0 to 1. */
-      double
-      mode() const
-      {
-        const double total = opening_damage + slip_damage;
-        return total > 0 ? slip_damage / total : 0;
-      }
-    };
-
-    FaceMeans
-    face_means(const State         &state,
-               const CohesiveForce &force,
-               const std::size_t    index)
-    {
-      static const FaceQuadrature quadrature;
-      FaceMeans                   means;
-      for (unsigned int q = 0; q < n_face_points; ++q)
-        {
-          const double weight = quadrature.weight[q];
-          const auto   now    = force.point_state(state, index, q);
-          means.damage +=
-            weight * std::min(1., std::hypot(now.opening, now.slip));
-          means.opening_damage += weight * now.opening * now.opening;
-          means.slip_damage += weight * now.slip * now.slip;
-          means.opening += weight * now.jump[0];
-          means.slip += weight * std::hypot(now.jump[1], now.jump[2]);
-          means.normal += weight * now.traction[0];
-          means.shear += weight * std::hypot(now.traction[1], now.traction[2]);
-        }
-      return means;
-    }
-  } // namespace
-
   Solution
   fracture_solution(const Topology      &topology,
                     const State         &state,
@@ -126,11 +85,11 @@ namespace rift
     for (const std::string &name : names)
       solution.cell_data.push_back({name, 1, {}});
 
-    const CohesiveFaces &faces = cohesive_force.faces();
+    const CohesiveFaces         &faces     = cohesive_force.faces();
+    const std::vector<FaceMeans> all_means = cohesive_force.means(state);
     for (std::size_t i = 0; i < faces.size(); ++i)
       {
-        if (!topology.owns_face(faces.infos[i].face) ||
-            !cohesive_force.has_opened(i))
+        if (!topology.owns_face(faces.infos[i].face) || !faces.has_opened(i))
           continue;
         const CohesiveBatch &batch = faces.batches[i / batch_size];
         for (unsigned int c = 0; c < 3; ++c)
@@ -141,15 +100,15 @@ namespace rift
               .5 * (state.position(batch.minus[c][i % batch_size]) +
                     state.position(batch.plus[c][i % batch_size])));
           }
-        const FaceMeans means    = face_means(state, cohesive_force, i);
-        const double    values[] = {means.damage,
-                                    means.mode(),
-                                    means.opening,
-                                    means.slip,
-                                    means.normal,
-                                    means.shear,
-                                    faces.infos[i].start_time,
-                                    faces.infos[i].failure_time};
+        const FaceMeans &means    = all_means[i];
+        const double     values[] = {means.damage,
+                                     means.mode(),
+                                     means.opening,
+                                     means.slip,
+                                     means.normal,
+                                     means.shear,
+                                     faces.infos[i].start_time,
+                                     faces.infos[i].failure_time};
         for (std::size_t k = 0; k < names.size(); ++k)
           solution.cell_data[k].values.push_back(static_cast<float>(values[k]));
       }

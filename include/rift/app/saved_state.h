@@ -37,11 +37,11 @@ namespace rift
   /** What one rank stores of what it owns, or what is restored to all. */
   struct SavedState
   {
-    std::vector<NodeRecord>         nodes;
-    std::vector<CutFaceRecord>      cut_faces;
-    std::vector<CohesiveFaceRecord> cohesive_faces;
-    std::vector<ContactPairRecord>  contact_pairs;
-    std::vector<ContactCellRecord>  contact_cells;
+    std::vector<NodeRecord>        nodes;
+    std::vector<CutFaceRecord>     cut_faces;
+    CohesiveRecords                cohesive_faces;
+    std::vector<ContactPairRecord> contact_pairs;
+    std::vector<ContactCellRecord> contact_cells;
 
     /** Of rank 0; all ranks have the same. */
     std::vector<RigidBodyRecord> rigid_bodies;

@@ -113,12 +113,7 @@ namespace rift
                const FaceSlope                       &slope,
                const Communicator                    &communicator)
         : strengths(topology, reference, materials, parameters, communicator)
-        , force(topology,
-                reference,
-                strengths,
-                parameters.model,
-                slope,
-                parameters.least_share)
+        , force(topology, reference, strengths, parameters, slope)
       {
       }
 
