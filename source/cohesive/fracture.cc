@@ -4,6 +4,12 @@
 
 namespace rift
 {
+  namespace
+  {
+    /** Of the names under which a checkpoint has the fields of Gauss points. */
+    const std::string points_prefix = "cohesive points: ";
+  } // namespace
+
   Fracture::Fracture(Discretization                        &body,
                      InternalForce                         &internal_force,
                      const std::vector<MaterialParameters> &materials,
@@ -59,19 +65,14 @@ namespace rift
                       materials,
                       parameters,
                       body.communicator);
-    force.emplace(body.topology,
-                  body.reference,
-                  *strengths,
-                  parameters.model,
-                  slope,
-                  parameters.least_share);
+    force.emplace(body.topology, body.reference, *strengths, parameters, slope);
     if (is_extrinsic())
       {
         insertion.emplace(body.topology,
                           body.reference,
                           internal_force,
                           *strengths,
-                          parameters.least_share);
+                          parameters);
         internal_force.watch(strengths->stress_bounds());
       }
     else
@@ -98,14 +99,22 @@ namespace rift
   void
   Fracture::save(const Discretization &, Archive &archive) const
   {
-    archive.write_list("cohesive faces", force->records());
+    const CohesiveRecords records = force->records();
+    archive.write_list("cohesive faces", records.faces);
+    for (const auto &[name, numbers] : records.points)
+      archive.write_list(points_prefix + name, numbers);
   }
 
   void
   Fracture::load(const Discretization &body, const Archive &archive)
   {
-    force->restore(body.state,
-                   archive.read_list<CohesiveFaceRecord>("cohesive faces"));
+    CohesiveRecords records;
+    records.faces = archive.read_list<CohesiveFaceRecord>("cohesive faces");
+    for (const auto &[name, entry] : archive.entries())
+      if (name.compare(0, points_prefix.size(), points_prefix) == 0)
+        records.points[name.substr(points_prefix.size())] =
+          archive.read_list<double>(name);
+    force->restore(body.state, records);
   }
 
   void

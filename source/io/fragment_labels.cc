@@ -23,7 +23,7 @@ namespace rift
       for (FaceIndex face = 0; face < topology.faces.size(); ++face)
         {
           const CellIndex *cells = topology.faces[face].cells;
-          if (topology.face_states[face] != FaceState::broken &&
+          if (topology.face_states[face] < FaceState::failed &&
               (topology.owns_cell(cells[0]) || topology.owns_cell(cells[1])))
             sets.unite(cells[0], cells[1]);
         }
@@ -78,7 +78,7 @@ namespace rift
         topology,
         [&](const int rank, const CellIndex cell, const FaceIndex face) {
           const GlobalCellIndex other = others.at(rank).at(next[rank]++);
-          if (topology.face_states[face] != FaceState::broken)
+          if (topology.face_states[face] < FaceState::failed)
             pairs.push_back({{labels[cell], other}});
         });
       sort_unique(pairs);

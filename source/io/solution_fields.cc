@@ -176,7 +176,7 @@ namespace rift
     for (std::size_t i = 0; i < faces.size(); ++i)
       {
         if (!topology.owns_face(faces.infos[i].face) ||
-            !cohesive_force.has_opened(i))
+            !cohesive_force.faces().has_opened(i))
           continue;
         const CohesiveBatch &batch = faces.batches[i / batch_size];
         for (unsigned int c = 0; c < 3; ++c)

@@ -83,7 +83,7 @@ namespace rift
     std::vector<NodeIndex> affected;
     for (const FaceIndex face : cut_faces)
       {
-        topology.face_states[face] = FaceState::cohesive;
+        topology.face_states[face] = FaceState::cut;
         const Face &f              = topology.faces[face];
         for (const unsigned int corner : face_corners[f.local_faces[0]])
           {
@@ -125,7 +125,7 @@ namespace rift
         const auto &cells = topology.faces[face].cells;
         if (parted[topology.material(cells[0])] &&
             parted[topology.material(cells[1])])
-          topology.face_states[face] = FaceState::cohesive;
+          topology.face_states[face] = FaceState::cut;
       }
     separate_touching_pieces(topology);
 

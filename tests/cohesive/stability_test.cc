@@ -148,9 +148,10 @@ namespace
                                 body.topology.vertex_cells_first(v) + 1;
     };
 
-    Outcome outcome;
-    double  work = 0, half = 0;
-    double  last_opening = 0;
+    const FaceQuadrature quadrature;
+    Outcome              outcome;
+    double               work = 0, half = 0;
+    double               last_opening = 0;
     for (unsigned int step = 0; step < n_steps; ++step)
       {
         if (!body.sum_forces())
@@ -186,7 +187,8 @@ namespace
         largest         = std::max(largest,
                            energies["kinetic"] + energies["strain"] +
                              energies["cohesive"]);
-        const double opening = body.force.point_state(state, 0, 0).jump[0];
+        const FaceKinematics kinematics(body.force.faces().batches[0], state);
+        const double         opening = kinematics.jump_at(quadrature, 0)[0][0];
         outcome.n_reversals += opening * last_opening < 0;
         last_opening = opening;
         body.move(dt);

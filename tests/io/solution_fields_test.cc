@@ -112,14 +112,16 @@ namespace
   Solution
   fracture(DiscreteBody &body, const FieldSelection &wanted = {})
   {
-    const FaceStrengths        strengths(body.topology,
+    const FaceStrengths strengths(body.topology,
                                   body.reference,
                                   two_granites(),
                                   {});
+    CohesiveParameters  extrinsic;
+    extrinsic.model = CohesiveModel::extrinsic;
     CohesiveForce              force(body.topology,
                         body.reference,
                         strengths,
-                        CohesiveParameters::Model::extrinsic,
+                        extrinsic,
                         [](FaceIndex) { return 1e13; });
     std::vector<OpeningCorner> openings;
     for (FaceIndex face = 0; face < body.topology.faces.size(); ++face)
