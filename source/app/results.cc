@@ -26,11 +26,8 @@ namespace rift
     {
       FieldList list(snapshot.body.discretization.state, snapshot.time_step);
       declare_nodal_fields(list);
-      InternalForce::declare_fields(list, &snapshot.internal_force);
-      if (snapshot.cohesive_force != nullptr)
-        CohesiveForce::declare_fields(list, snapshot.cohesive_force);
-      if (snapshot.rigid_bodies != nullptr)
-        RigidBodies::declare_fields(list, snapshot.rigid_bodies);
+      for (const auto &module : snapshot.modules)
+        module->declare_fields(list);
       return list;
     }
 
@@ -277,11 +274,12 @@ namespace rift
     solid->write(d.state.time,
                  solid_solution(d.topology, fields, output_fields));
     if (fracture)
-      fracture->write(d.state.time,
-                      fracture_solution(d.topology,
-                                        *snapshot.cohesive_force,
-                                        fields,
-                                        output_fields));
+      fracture->write(
+        d.state.time,
+        fracture_solution(d.topology,
+                          snapshot.modules.fracture->cohesive_force(),
+                          fields,
+                          output_fields));
     flush();
   }
 

@@ -279,13 +279,7 @@ namespace rift
   Snapshot
   Simulation::snapshot() const
   {
-    return {body,
-            modules.solid->internal_force(),
-            modules.fracture != nullptr ? &modules.fracture->cohesive_force() :
-                                          nullptr,
-            modules.rigid_bodies,
-            ledger,
-            steps.time_step};
+    return {body, modules, ledger, steps.time_step};
   }
 
   std::string

@@ -1,15 +1,13 @@
 #ifndef rift_app_results_h
 #define rift_app_results_h
 
-#include <rift/app/body.h>
+#include <rift/app/module_list.h>
 #include <rift/base/stage_timer.h>
-#include <rift/cohesive/cohesive_force.h>
 #include <rift/io/checkpoint_file.h>
 #include <rift/io/probes.h>
 #include <rift/io/summary.h>
 #include <rift/io/vtu_output.h>
 #include <rift/rigid/rigid_bodies.h>
-#include <rift/solid/internal_force.h>
 #include <rift/time_integration/energy_ledger.h>
 
 #include <optional>
@@ -19,15 +17,8 @@ namespace rift
   /** What results are made from, at one time t_n. */
   struct Snapshot
   {
-    const Body          &body;
-    const InternalForce &internal_force;
-
-    /** Null without a cohesive model. */
-    const CohesiveForce *cohesive_force;
-
-    /** Null where there are none. */
-    const RigidBodies *rigid_bodies;
-
+    const Body         &body;
+    const Modules      &modules;
     const EnergyLedger &ledger;
     double              time_step;
   };

@@ -81,6 +81,12 @@ namespace rift
     account(const Discretization &body, EnergyTable &energies) const override;
 
     void
+    declare_fields(FieldList &list) const override
+    {
+      CohesiveForce::declare_fields(list, &*force);
+    }
+
+    void
     save(const Discretization &body, Archive &archive) const override;
 
     void

@@ -3,6 +3,7 @@
 
 #include <rift/base/stage_timer.h>
 #include <rift/discretization/discretization.h>
+#include <rift/discretization/field_list.h>
 #include <rift/module/energy_table.h>
 #include <rift/module/failures.h>
 #include <rift/module/step_limits.h>
@@ -170,6 +171,13 @@ namespace rift
     /** Adds the energies at t_n to the table, J; always the same names. */
     virtual void
     account(const Discretization &, EnergyTable &) const
+    {
+    }
+
+    /** Declares what output and probes can show of it. A name that is new must
+     * be in known_fields() (io/solution_fields.h) as well. */
+    virtual void
+    declare_fields(FieldList &) const
     {
     }
 

@@ -68,6 +68,12 @@ namespace rift
     }
 
     void
+    declare_fields(FieldList &list) const override
+    {
+      declare_fields(list, this);
+    }
+
+    void
     save(const Discretization &, Archive &archive) const override;
 
     void

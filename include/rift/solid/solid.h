@@ -42,6 +42,12 @@ namespace rift
     }
 
     void
+    declare_fields(FieldList &list) const override
+    {
+      InternalForce::declare_fields(list, &force);
+    }
+
+    void
     save(const Discretization &body, Archive &archive) const override;
 
     void
