@@ -5,6 +5,7 @@
 #include <rift/material/laws/isotropic.h>
 #include <rift/material/laws/microcracked.h>
 #include <rift/material/laws/rigid.h>
+#include <rift/material/laws/transversely_isotropic.h>
 
 #include <tuple>
 #include <variant>
@@ -16,7 +17,8 @@ namespace rift
   using ElasticLaws = std::tuple<IsotropicElasticity,
                                  AnisotropicElasticity,
                                  MicrocrackedElasticity,
-                                 RigidElasticity>;
+                                 RigidElasticity,
+                                 TransverselyIsotropicElasticity>;
 
   namespace internal
   {
