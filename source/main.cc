@@ -1,9 +1,6 @@
 #include <deal.II/base/mpi.h>
 
-#include <rift/app/command_line.h>
-#include <rift/app/parameter_reference.h>
-#include <rift/app/parameters.h>
-#include <rift/app/run.h>
+#include <rift/app/execute.h>
 #include <rift/base/exceptions.h>
 
 #include <chrono>
@@ -16,37 +13,12 @@ namespace
   void
   execute(const rift::CommandLine &command, const bool speaks)
   {
-    using Action = rift::CommandLine::Action;
     // The other ranks have nothing to print.
-    std::ostream  nowhere(nullptr);
-    std::ostream &out = speaks ? std::cout : nowhere;
-    switch (command.action)
-      {
-      case Action::print_text:
-        out << command.text;
-        break;
-      case Action::print_defaults:
-        rift::print_defaults(out);
-        break;
-      case Action::print_reference:
-        rift::generate_reference(out);
-        break;
-      case Action::validate:
-        rift::validate_scene(
-          out,
-          rift::read_parameters(command.scene, command.overrides));
-        out << command.scene << " is a valid scene.\n";
-        break;
-      case Action::run:
-        // Results go to files: a run does not need anybody who reads what it
-        // prints, and goes on when its pipe is closed or its disk full.
-        std::signal(SIGPIPE, SIG_IGN);
-        rift::run_simulation(
-          rift::read_parameters(command.scene, command.overrides),
-          command.restart);
-        return;
-      }
-    if (speaks && !std::cout.flush())
+    std::ostream nowhere(nullptr);
+    rift::execute(speaks ? std::cout : nowhere, command);
+    // Results of a run go to files: nobody needs to read what it prints.
+    const bool prints = command.action != rift::CommandLine::Action::run;
+    if (speaks && prints && !std::cout.flush())
       throw rift::DiskError("cannot write to the standard output.");
   }
 

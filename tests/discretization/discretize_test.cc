@@ -3,8 +3,6 @@
 #include <rift/discretization/discretize.h>
 #include <rift/mesh/triangulation.h>
 
-#include <deal.II/base/mpi.h>
-
 #include "../support/test_body.h"
 #include <gtest/gtest.h>
 
@@ -44,23 +42,6 @@ namespace
       densities,
       Communicator());
   }
-
-  class InitialiseMPI : public testing::Environment
-  {
-  public:
-    void
-    SetUp() override
-    {
-      static int    argc   = 1;
-      static char   name[] = "discretize_test";
-      static char  *args[] = {name, nullptr};
-      static char **argv   = args;
-      static const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-    }
-  };
-
-  [[maybe_unused]] const auto *const mpi =
-    testing::AddGlobalTestEnvironment(new InitialiseMPI);
 } // namespace
 
 TEST(Discretize, CellsAreThoseOfTheMesh)

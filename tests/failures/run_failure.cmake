@@ -7,14 +7,16 @@
 # of the cases, NAME the case, FOLDER a folder to run in. See README.md beside
 # this file for what belongs to a case.
 
-# The case's own copy of all files, so that messages show relative paths and a
-# case can leave something behind.
+# The case's own folder, so that messages show relative paths and a case can
+# leave something behind. In it are its files and those that belong to no case.
 file(REMOVE_RECURSE ${FOLDER})
 file(MAKE_DIRECTORY ${FOLDER})
-file(GLOB files ${CASES}/*)
-foreach(file ${files})
-  get_filename_component(base ${file} NAME)
-  file(CREATE_LINK ${file} ${FOLDER}/${base} SYMBOLIC)
+file(GLOB names RELATIVE ${CASES} ${CASES}/*)
+foreach(name ${names})
+  string(REGEX REPLACE "\\..*" "" case ${name})
+  if(case STREQUAL NAME OR NOT EXISTS ${CASES}/${case}.error)
+    file(CREATE_LINK ${CASES}/${name} ${FOLDER}/${name} SYMBOLIC)
+  endif()
 endforeach()
 
 set(arguments ${NAME}.prm)

@@ -6,8 +6,6 @@
 #include <rift/mesh/partition.h>
 #include <rift/mesh/triangulation.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -70,34 +68,6 @@ namespace
         {mesh.cell_tags[face.cell], face.local_face, face.name}});
     return result;
   }
-
-  class InitialiseMPI : public testing::Environment
-  {
-  public:
-    void
-    SetUp() override
-    {
-      static int    argc   = 1;
-      static char   name[] = "mesh_order_test";
-      static char  *args[] = {name, nullptr};
-      static char **argv   = args;
-      mpi = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc,
-                                                                       argv,
-                                                                       1);
-    }
-
-    void
-    TearDown() override
-    {
-      mpi.reset();
-    }
-
-  private:
-    std::unique_ptr<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
-  };
-
-  const auto *const environment =
-    testing::AddGlobalTestEnvironment(new InitialiseMPI);
 } // namespace
 
 TEST(CellOrdering, NothingIsLostOrChanged)

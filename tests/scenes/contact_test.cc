@@ -128,8 +128,7 @@ TEST(Contact, SpheresCollideAfterHertz)
   expect_hertz("0.8e-3", .2, .2);
 }
 
-// Take half a minute.
-TEST(Contact, DISABLED_SpheresCollideAfterHertzOnFinerMeshes)
+TEST(Contact, SpheresCollideAfterHertzOnFinerMeshes)
 {
   expect_hertz("0.4e-3", .05, .05);
   expect_hertz("0.2e-3", .05, .05);

@@ -96,8 +96,7 @@ TEST(Pile, KeepsItsEnergyWithoutFriction)
   expect_energy_is_kept("0.1", 1e-3);
 }
 
-// Takes half a minute.
-TEST(Pile, DISABLED_KeepsItsEnergyWithoutFrictionOver100000Steps)
+TEST(Pile, KeepsItsEnergyWithoutFrictionOver100000Steps)
 {
   expect_energy_is_kept("2", .01);
 }

@@ -1,8 +1,6 @@
 #ifndef rift_tests_scenes_plane_wave_h
 #define rift_tests_scenes_plane_wave_h
 
-#include <deal.II/base/mpi.h>
-
 #include <rift/app/simulation.h>
 #include <rift/base/floating_point.h>
 
@@ -111,7 +109,12 @@ namespace rift::test
               sums[2] += state.mass[i] * d * g;
               sums[3] += state.mass[i] * g * g;
             }
-          dealii::Utilities::MPI::sum(sums, MPI_COMM_WORLD, sums);
+          MPI_Allreduce(MPI_IN_PLACE,
+                        sums.data(),
+                        static_cast<int>(sums.size()),
+                        MPI_DOUBLE,
+                        MPI_SUM,
+                        MPI_COMM_WORLD);
           if (iteration == 0)
             error = std::sqrt(sums[0] / sums[1]);
           slowness += sums[2] / sums[3];

@@ -1,0 +1,39 @@
+#include <rift/app/execute.h>
+#include <rift/app/parameter_reference.h>
+#include <rift/app/parameters.h>
+#include <rift/app/run.h>
+
+#include <csignal>
+#include <ostream>
+
+namespace rift
+{
+  void
+  execute(std::ostream &out, const CommandLine &command)
+  {
+    using Action = CommandLine::Action;
+    switch (command.action)
+      {
+      case Action::print_text:
+        out << command.text;
+        break;
+      case Action::print_defaults:
+        print_defaults(out);
+        break;
+      case Action::print_reference:
+        generate_reference(out);
+        break;
+      case Action::validate:
+        validate_scene(out, read_parameters(command.scene, command.overrides));
+        out << command.scene << " is a valid scene.\n";
+        break;
+      case Action::run:
+        // Results go to files: a run does not need anybody who reads what it
+        // prints, and goes on when its pipe is closed or its disk full.
+        std::signal(SIGPIPE, SIG_IGN);
+        run_simulation(read_parameters(command.scene, command.overrides),
+                       command.restart);
+        break;
+      }
+  }
+} // namespace rift
