@@ -22,22 +22,6 @@ namespace
     return communicator;
   }
 
-  /** p4est tells of all that it does unless it is told not to; in rift itself,
-   * deal.II does that. */
-  class SilentOctrees : public testing::Environment
-  {
-  public:
-    void
-    SetUp() override
-    {
-      sc_init(MPI_COMM_WORLD, 0, 0, nullptr, SC_LP_SILENT);
-      p4est_init(nullptr, SC_LP_SILENT);
-    }
-  };
-
-  testing::Environment *const silent_octrees =
-    testing::AddGlobalTestEnvironment(new SilentOctrees);
-
   constexpr double skin = .02;
 
   /** Cells of all ranks, with owners at random; the same on all ranks. */

@@ -215,7 +215,7 @@ TEST(PrescribedMotion, ImposesTheVelocityOfHalfAStepLater)
      {bar.end(4), velocity({{"2e-4", "", ""}})}});
   const auto acceleration = [&](const NodeIndex    node,
                                 const unsigned int component) {
-    return motion.acceleration(body.state, 1e-6, node, component);
+    return motion.prescribed_acceleration(body.state, 1e-6, node, component);
   };
   for (const NodeIndex node : surface_nodes(body.topology, bar.end(0)))
     {
@@ -283,7 +283,7 @@ TEST(PrescribedMotion, ReactionsDoTheWorkOfTheKineticEnergy)
   // The inner vertex is on no surface; the body of eight cubes has one.
   double inner_mass = 0;
   for (NodeIndex i = 0; i < body.state.n_nodes(); ++i)
-    if (!motion.acceleration(body.state, dt, i, 0))
+    if (!motion.prescribed_acceleration(body.state, dt, i, 0))
       inner_mass += body.state.mass[i];
   ASSERT_GT(inner_mass, 0);
   for (unsigned int n = 0; n < 300; ++n)

@@ -23,7 +23,8 @@ namespace rift
     {
       if (!is_unbalanced)
         {
-          n_to_wait = next_wait = 0;
+          n_to_wait = 0;
+          next_wait = 1;
           return false;
         }
       if (n_to_wait > 0)
