@@ -14,16 +14,13 @@ import sys
 if len(sys.argv) < 3 or not all("=" in run for run in sys.argv[2:]):
     sys.exit(__doc__)
 
-from rift_output import import_pyplot, np, read_series, read_table, read_vtu
+from rift_output import deformed, import_pyplot, np, read_series, read_table, read_vtu
 
 plt = import_pyplot()
 from matplotlib.collections import LineCollection, PolyCollection
 
 DIAMETER, THICKNESS = 0.04, 0.016
 AFTER_PEAK = 58e-6
-
-# By so much points of a plane surface may have moved along y, m; cells are larger.
-MOTION = 0.4e-3
 
 
 def history(results):
@@ -52,8 +49,8 @@ def section(pieces):
     """Triangles and quadrangles in which cells cross y = 0, as (x, z), and the
     stress xx of each cell."""
     polygons, stress = [], []
-    for points, cells, _, fields in pieces:
-        x = points[cells].astype(float)
+    for points, cells, at_points, fields in pieces:
+        x = deformed(points, at_points)[cells]
         y = x[:, :, 1] + 1e-9
         crosses = (y.min(1) < 0) & (y.max(1) > 0)
         for corners, s in zip(x[crosses], fields["stress [Pa]"][crosses, 0]):
@@ -76,8 +73,9 @@ def surface_edges(results, time, side):
     """Edges of cohesive faces at the plane surface y = side t/2, as (x, z) in the
     deformed disc, and whether the face has failed."""
     lines, failed = [], []
-    for x, faces, _, cells in state_near(results, "fracture", time)[1]:
-        at_side = np.abs(x[:, 1] - side * THICKNESS / 2) < MOTION
+    for points, faces, at_points, cells in state_near(results, "fracture", time)[1]:
+        at_side = np.isclose(points[:, 1], side * THICKNESS / 2)
+        x = deformed(points, at_points)
         for face, time_of_failure in zip(faces, cells["time of failure [s]"]):
             ends = [c for c in face if at_side[c]]
             if len(ends) == 2:

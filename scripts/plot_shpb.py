@@ -13,8 +13,8 @@ if len(sys.argv) != 3:
 
 import os
 
-from rift_output import (import_pyplot, np, read_series, read_summary, read_table,
-                         read_vtu)
+from rift_output import (deformed, import_pyplot, np, read_series, read_summary,
+                         read_table, read_vtu)
 
 plt = import_pyplot()
 
@@ -202,8 +202,9 @@ def plot_cracks(axes, results, time):
     files = read_series(results, "fracture")
     nearest = min(files, key=lambda t: abs(t - time))
     for file in files[nearest]:
-        for points, faces, _, fields in read_vtu(file):
-            corners = points[faces[fields["opening [m]"] > OPENING]]
+        for points, faces, at_points, fields in read_vtu(file):
+            is_open = fields["opening [m]"] > OPENING
+            corners = deformed(points, at_points)[faces[is_open]]
             for x, y, _ in 1e3 * corners.transpose(0, 2, 1):
                 axes.fill(x, y, facecolor="C3", edgecolor="C3", linewidth=0.7,
                           alpha=0.4)

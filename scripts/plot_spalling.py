@@ -10,8 +10,8 @@ import sys
 if len(sys.argv) != 3:
     sys.exit(__doc__)
 
-from rift_output import (import_pyplot, np, read_series, read_summary, read_table,
-                         read_vtu)
+from rift_output import (deformed, import_pyplot, np, read_series, read_summary,
+                         read_table, read_vtu)
 
 plt = import_pyplot()
 
@@ -24,9 +24,10 @@ SECTION = np.pi * 19e-3**2
 
 
 def read_fracture(path):
-    """Corners and fields of the cohesive faces in the pieces of one file."""
-    return [(points[corners.reshape(-1, 3)].astype(float), fields)
-            for points, corners, _, fields in read_vtu(path)]
+    """Corners, where they are now, and fields of the cohesive faces in the pieces of
+    one file."""
+    return [(deformed(points, at_points)[corners.reshape(-1, 3)], fields)
+            for points, corners, at_points, fields in read_vtu(path)]
 
 
 def join(pieces):

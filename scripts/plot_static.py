@@ -10,7 +10,7 @@ import sys
 if len(sys.argv) != 4:
     sys.exit(__doc__)
 
-from rift_output import import_pyplot, np, read_series, read_table, read_vtu
+from rift_output import deformed, import_pyplot, np, read_series, read_table, read_vtu
 
 plt = import_pyplot()
 from matplotlib.collections import LineCollection
@@ -57,8 +57,8 @@ def crossings(results, time, axis):
     moment = min(series, key=lambda t: abs(t - time))
     lines, damages = [], []
     for file in series[moment]:
-        for points, faces, _, cells in read_vtu(file):
-            x = points[faces].astype(float)
+        for points, faces, at_points, cells in read_vtu(file):
+            x = deformed(points, at_points)[faces]
             distance = x[:, :, axis] + 1e-9
             damage = cells["damage"] + 1. * (cells["time of failure [s]"] >= 0)
             for corners, d, how_much in zip(x, distance, damage):

@@ -50,13 +50,16 @@ def main(results, picture, times):
         state = pv.PVDReader(FileName=os.path.join(results, "solid.pvd"))
         frozen = pv.ForceTime(Input=state)
         frozen.ForcedTime = time
+        # Points in the file are those of the undeformed bodies.
+        moved = pv.WarpByVector(Input=frozen, ScaleFactor=1)
+        moved.Vectors = ["POINTS", "displacement [m]"]
         view = pv.CreateView("RenderView")
         view.ViewSize = SIZE
         view.Background = [1, 1, 1]
         view.UseColorPaletteForBackground = 0
         view.OrientationAxesVisibility = 0
         for material in (0, 1):
-            bounds = show(frozen, material, time, view)
+            bounds = show(moved, material, time, view)
             low = [min(a, b) for a, b in zip(low, bounds[::2])]
             high = [max(a, b) for a, b in zip(high, bounds[1::2])]
         views.append(view)

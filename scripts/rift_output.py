@@ -87,9 +87,14 @@ def read_fields(element, appended):
     return fields
 
 
+def deformed(points, at_points):
+    """Where the points of the undeformed body are now."""
+    return points + at_points["displacement [m]"].astype(float)
+
+
 def read_vtu(path):
-    """Of each piece of one file: points, points of each cell, fields at points,
-    fields of cells."""
+    """Of each piece of one file: points in the undeformed body, points of each
+    cell, fields at points, fields of cells."""
     content = read_bytes(path)
     start = content.index(b"<AppendedData")
     pieces = ElementTree.fromstring(content[:start] + b"</VTKFile>").iter("Piece")

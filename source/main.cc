@@ -6,7 +6,6 @@
 #include <chrono>
 #include <csignal>
 #include <iostream>
-#include <new>
 #include <thread>
 
 namespace
@@ -15,8 +14,15 @@ namespace
   execute(const rift::CommandLine &command, const bool speaks)
   {
     // The other ranks have nothing to print.
+    const bool   is_run = command.action == rift::CommandLine::Action::run;
     std::ostream nowhere(nullptr);
+    // Results go to files: a run does not need anybody who reads what it
+    // prints, and goes on when its pipe is closed or its disk full.
+    if (is_run)
+      std::signal(SIGPIPE, SIG_IGN);
     rift::execute(speaks ? std::cout : nowhere, command);
+    if (is_run)
+      return;
     if (speaks && !std::cout.flush())
       throw rift::DiskError("cannot write to the standard output.");
   }
@@ -82,24 +88,10 @@ main(int argc, char **argv)
     {
       execute(rift::parse_command_line(argc, argv), speaks);
     }
-  catch (const rift::Error &error)
+  catch (const std::exception &exception)
     {
-      exit_code = fail(error.what(), error.exit_code, for_errors);
-    }
-  catch (const std::bad_alloc &)
-    {
-      exit_code = fail("the memory of this machine is too small for this "
-                       "scene. Use larger elements.",
-                       rift::ExitCode::run_error,
-                       for_errors);
-    }
-  catch (const std::exception &error)
-    {
-      exit_code = fail(std::string("rift has failed in a way that it does not "
-                                   "foresee. Please report this: ") +
-                         error.what(),
-                       rift::ExitCode::run_error,
-                       for_errors);
+      const rift::Error error = rift::to_error(exception);
+      exit_code               = fail(error.what(), error.exit_code, for_errors);
     }
   MPI_Comm_free(&for_errors);
   return exit_code;

@@ -4,12 +4,15 @@
 #include <rift/discretization/discretize.h>
 #include <rift/loading/prescribed_motion.h>
 #include <rift/mesh/cell_ordering.h>
+#include <rift/mesh/face_table.h>
 #include <rift/mesh/gmsh_reader.h>
 #include <rift/mesh/mesh_buffer.h>
 #include <rift/mesh/mesh_checks.h>
 #include <rift/mesh/triangulation.h>
 
 #include <algorithm>
+#include <array>
+#include <set>
 
 namespace rift
 {
@@ -31,11 +34,23 @@ namespace rift
       return std::find(list.begin(), list.end(), name) != list.end();
     }
 
+    /** That a subsection of the scene can have the name of a material. */
+    void
+    check_name(const std::string &name, const MeshData &mesh)
+    {
+      if (const std::string problem = name_problem(name); !problem.empty())
+        throw InputError("the mesh " + mesh.source + " has the material \"" +
+                         excerpt(name) + "\": " + problem +
+                         ". Rename the physical volume.");
+    }
+
     /** That the .prm and the mesh speak of the same materials. */
     void
     check_materials(const Parameters &parameters, const MeshData &mesh)
     {
       const auto known = names_of(parameters.materials);
+      for (const std::string &name : mesh.material_names)
+        check_name(name, mesh);
       for (const std::string &name : mesh.material_names)
         if (!contains(known, name))
           throw InputError(
@@ -62,18 +77,104 @@ namespace rift
       return names;
     }
 
-    /** That a surface that the .prm speaks of exists. */
-    void
-    check_boundary(const std::string &name,
-                   const std::string &subsection,
-                   const MeshData    &mesh)
+    /** A surface of the mesh that a subsection of the scene speaks of. */
+    struct UsedSurface
     {
-      const std::vector<std::string> outer = boundary_names(mesh);
-      if (!contains(outer, name))
-        throw InputError("subsection \"" + subsection +
-                         "\" speaks of the boundary \"" + name +
-                         "\", which the mesh " + mesh.source +
-                         " does not have." + suggestion(name, outer));
+      std::string subsection, name;
+    };
+
+    std::vector<UsedSurface>
+    used_surfaces(const Parameters &parameters)
+    {
+      std::vector<UsedSurface> result;
+      for (const BoundaryParameters &boundary : parameters.boundaries)
+        result.push_back({"Boundary " + boundary.name, boundary.name});
+      for (const ProbeParameters &probe : parameters.probes)
+        if (!probe.boundary.empty())
+          result.push_back({"Probe " + probe.name, probe.boundary});
+      return result;
+    }
+
+    std::size_t
+    count_faces(const std::vector<NamedFace> &faces,
+                const std::string            &name,
+                const MeshData               &mesh)
+    {
+      return std::count_if(faces.begin(), faces.end(), [&](const NamedFace &f) {
+        return mesh.surface_names[f.name] == name;
+      });
+    }
+
+    /** Between which materials the inner faces of this name lie. */
+    std::string
+    place_of_inner_faces(const std::string &name, const MeshData &mesh)
+    {
+      const FaceTable          faces(mesh);
+      std::vector<std::string> places;
+      for (const NamedFace &face : mesh.internal_faces)
+        {
+          if (mesh.surface_names[face.name] != name)
+            continue;
+          std::array<VertexIndex, 3> corners;
+          for (unsigned int c = 0; c < 3; ++c)
+            corners[c] =
+              mesh.cells[face.cell][face_corners[face.local_face][c]];
+          std::set<std::string> materials;
+          for (const FaceTable::Side &side : faces.find(corners))
+            materials.insert(
+              "\"" + mesh.material_names[mesh.cell_materials[side.cell]] +
+              "\"");
+          const std::string place =
+            materials.size() > 1 ?
+              "between " + *materials.begin() + " and " + *materials.rbegin() :
+              "within " + *materials.begin();
+          if (!contains(places, place))
+            places.push_back(place);
+        }
+      return enumeration(places, "and");
+    }
+
+    /** That a surface that the .prm speaks of is an outer one. */
+    void
+    check_surface(const UsedSurface &used, const MeshData &mesh)
+    {
+      const std::string &name = used.name;
+      if (count_faces(mesh.boundary_faces, name, mesh) > 0)
+        return;
+      const std::string start = "subsection \"" + used.subsection +
+                                "\" speaks of the boundary \"" + name + "\", ";
+      if (const auto n = count_faces(mesh.internal_faces, name, mesh))
+        throw InputError(
+          start + "whose " + std::to_string(n) + " faces in the mesh " +
+          mesh.source + " all lie inside the body, " +
+          place_of_inner_faces(name, mesh) +
+          ": only outer surfaces can be loaded, held or probed. Take one of "
+          "these, or mesh the two sides apart, with a small gap between them, "
+          "such as 1e-6 m (in gmsh without Coherence and BooleanFragments), "
+          "and let them meet by contact.");
+      throw InputError(
+        start + "which the mesh " + mesh.source + " does not have." +
+        suggestion(name,
+                   boundary_names(mesh),
+                   "None of its outer surfaces has a name. Give them names in "
+                   "gmsh: Physical Surface(\"" +
+                     name + "\") = {...};"));
+    }
+
+    /** Warns of names that outer and inner faces have. */
+    void
+    warn_of_inner_faces(const Parameters &parameters,
+                        const MeshData   &mesh,
+                        Log              &log)
+    {
+      for (const UsedSurface &used : used_surfaces(parameters))
+        if (const auto n = count_faces(mesh.internal_faces, used.name, mesh))
+          log.write(
+            "WARNING: subsection \"" + used.subsection + "\" uses the " +
+            std::to_string(count_faces(mesh.boundary_faces, used.name, mesh)) +
+            " outer faces of \"" + used.name + "\" alone, and not the " +
+            std::to_string(n) + " that lie inside the body, " +
+            place_of_inner_faces(used.name, mesh));
     }
 
     /** That what moves a rigid body stands with its material. */
@@ -163,7 +264,8 @@ namespace rift
     void
     set_initial_velocity(Body &body)
     {
-      auto &[topology, reference, state, exchange] = body.discretization;
+      const Topology &topology = body.discretization.topology;
+      State          &state    = body.discretization.state;
       for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
         {
           const auto &material    = body.materials[topology.material(cell)];
@@ -172,7 +274,9 @@ namespace rift
             continue;
           const double corner_mass =
             material.density *
-            reference[cell / batch_size].volume[cell % batch_size] / n_corners;
+            body.discretization.reference[cell / batch_size]
+              .volume[cell % batch_size] /
+            n_corners;
           for (unsigned int c = 0; c < n_corners; ++c)
             {
               const NodeIndex node = topology.node(cell, c);
@@ -192,11 +296,8 @@ namespace rift
       mesh = read_mesh(parameters.mesh);
       check_mesh(mesh);
       check_materials(parameters, mesh);
-      for (const BoundaryParameters &boundary : parameters.boundaries)
-        check_boundary(boundary.name, "Boundary " + boundary.name, mesh);
-      for (const ProbeParameters &probe : parameters.probes)
-        if (!probe.boundary.empty())
-          check_boundary(probe.boundary, "Probe " + probe.name, mesh);
+      for (const UsedSurface &used : used_surfaces(parameters))
+        check_surface(used, mesh);
       check_rigid_boundaries(parameters, mesh);
       order_cells(mesh);
     });
@@ -213,11 +314,23 @@ namespace rift
     communicator.on_root(
       [&] { check_number_of_ranks(mesh, communicator.size()); });
     const MeshData names = share_names(mesh, communicator);
-    Body body{communicator, {Topology({}, 0), {}, {}, {}}, {}, {}, {}};
+    Body           body{communicator,
+              {communicator, Topology({}, 0), {}, {}, {}, {}, {}},
+              {},
+              {},
+              {},
+              {},
+              {}};
     for (const std::string &name : names.material_names)
       for (const MaterialParameters &material : parameters.materials)
         if (material.name == name)
           body.materials.push_back(material);
+
+    for (const MaterialParameters &material : body.materials)
+      {
+        body.laws.push_back(make_elasticity(material));
+        body.stiffnesses.push_back(stiffness_matrix(body.laws.back()));
+      }
 
     std::vector<bool> parted;
     if (parameters.cohesive.model == CohesiveParameters::Model::intrinsic)
@@ -234,6 +347,8 @@ namespace rift
       find_surfaces(topology, names, names.internal_faces);
     set_initial_velocity(body);
     describe(body, mesh, !parted.empty(), log);
+    if (communicator.is_root())
+      warn_of_inner_faces(parameters, mesh, log);
     return body;
   }
 } // namespace rift

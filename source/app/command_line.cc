@@ -36,7 +36,11 @@ namespace rift
       app.add_flag("--restart",
                    result.restart,
                    "Go on from the newest checkpoint in the output directory");
-    app.add_flag("--validate", validate, "Check the scene, do not run it")
+    app
+      .add_flag("--validate",
+                validate,
+                "Check the scene and its mesh without running it; a good one "
+                "ends with \"... is a valid scene.\" and exit code 0")
       ->excludes(restart);
     app.add_flag("--defaults", defaults, "Print a scene with every entry");
     app.add_flag("--reference",

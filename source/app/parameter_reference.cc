@@ -1,5 +1,6 @@
 #include <deal.II/base/parameter_handler.h>
 
+#include <rift/app/module_list.h>
 #include <rift/app/parameter_reference.h>
 #include <rift/app/parameters.h>
 #include <rift/base/parameter_declarations.h>
@@ -34,7 +35,6 @@ namespace rift
          "function of time is an expression in t, or the path of a table "
          "that ends with .csv, relative to the .prm. A surface without "
          "subsection is free."},
-        {"Body", "What acts on every point of the body."},
         {"Fracture", "How cracks are computed."},
         {"Contact", "What happens where surfaces meet."},
         {"Time", "The time steps."},
@@ -45,6 +45,9 @@ namespace rift
         {"Probe",
          "A column of probes.csv, whose name it has: a field at a point or "
          "averaged over a boundary."}};
+      for (const auto &module : module_parameters())
+        if (module->section() == section)
+          return module->purpose();
       return texts.at(section.substr(0, section.find(' ')));
     }
 

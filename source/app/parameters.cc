@@ -1,5 +1,6 @@
 #include <deal.II/base/parameter_handler.h>
 
+#include <rift/app/module_list.h>
 #include <rift/app/parameters.h>
 #include <rift/base/parameter_declarations.h>
 #include <rift/base/parameter_text.h>
@@ -24,6 +25,8 @@ namespace rift
       add(parameters.cohesive.inert_entries());
       add(parameters.contact.inert_entries());
       add(parameters.time.inert_entries());
+      for (const auto &module : parameters.modules)
+        add(module->inert_entries());
       for (const ProbeParameters &probe : parameters.probes)
         add(probe.inert_entries());
 
@@ -77,13 +80,15 @@ namespace rift
         if (material.is_rigid())
           rigid.push_back(material.name);
       for (const ProbeParameters &probe : parameters.probes)
-        if (probe.field == ProbeParameters::Field::force &&
+        if (probe.field.location == FieldLocation::material &&
             std::count(rigid.begin(), rigid.end(), probe.material) == 0)
-          throw ParameterError("Probe " + probe.name,
-                               "Material",
-                               "there is no rigid material \"" +
-                                 probe.material + "\"." +
-                                 suggestion(probe.material, rigid));
+          throw ParameterError(
+            "Probe " + probe.name,
+            "Material",
+            "there is no rigid material \"" + probe.material + "\"." +
+              suggestion(probe.material,
+                         rigid,
+                         "No material of this scene is rigid."));
     }
 
     // What can only be seen by looking at more than one subsection.
@@ -139,6 +144,8 @@ namespace rift
       parameters.cohesive.check();
       parameters.contact.check();
       parameters.time.check();
+      for (const auto &module : parameters.modules)
+        module->check();
       parameters.output.check();
       parameters.checkpoint.check();
       check_together(parameters, scene);
@@ -157,7 +164,13 @@ namespace rift
       for (const std::string &name : names.boundaries)
         result.boundaries.push_back(
           BoundaryParameters::parse(prm, name, scene));
-      result.body_force = BodyForceParameters::parse(prm);
+      for (auto &module : module_parameters())
+        {
+          prm.enter_subsection(module->section());
+          module->parse(prm);
+          prm.leave_subsection();
+          result.modules.push_back(std::move(module));
+        }
       result.cohesive   = CohesiveParameters::parse(prm);
       result.contact    = ContactParameters::parse(prm);
       result.time       = TimeParameters::parse(prm);
@@ -236,7 +249,12 @@ namespace rift
       MaterialParameters::declare(prm, name);
     for (const std::string &name : names.boundaries)
       BoundaryParameters::declare(prm, name);
-    BodyForceParameters::declare(prm);
+    for (const auto &module : module_parameters())
+      {
+        prm.enter_subsection(module->section());
+        module->declare(prm);
+        prm.leave_subsection();
+      }
     CohesiveParameters::declare(prm);
     ContactParameters::declare(prm);
     TimeParameters::declare(prm);

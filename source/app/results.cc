@@ -1,4 +1,5 @@
 #include <rift/app/results.h>
+#include <rift/base/exceptions.h>
 #include <rift/io/fragments.h>
 #include <rift/io/output_directory.h>
 #include <rift/io/solution_fields.h>
@@ -19,28 +20,33 @@ namespace rift
       return 1024ull * static_cast<std::uint64_t>(usage.ru_maxrss);
     }
 
+    /** The fields of all modules. */
+    FieldList
+    fields_of(const Snapshot &snapshot)
+    {
+      FieldList list(snapshot.body.discretization.state, snapshot.time_step);
+      declare_nodal_fields(list);
+      for (const auto &module : snapshot.modules)
+        module->declare_fields(list);
+      return list;
+    }
+
     /** The terms of the ledger with their names. */
     NamedNumbers
     named_energies(const EnergyLedger &ledger)
     {
-      const Energies &e = ledger.energies();
-      return {{"kinetic", e.kinetic},
-              {"strain", e.strain},
-              {"cohesive", e.cohesive},
-              {"fracture", e.fracture},
-              {"contact", e.contact},
-              {"friction", e.friction},
-              {"damping", e.damping},
-              {"loads", e.loads},
-              {"residual", ledger.residual()}};
+      NamedNumbers result = ledger.energies().terms();
+      result.emplace_back("residual", ledger.residual());
+      return result;
     }
 
     std::vector<std::string>
-    energy_columns()
+    energy_columns(const Energies &energies)
     {
       std::vector<std::string> columns = {"time [s]"};
-      for (const auto &term : named_energies(EnergyLedger()))
-        columns.push_back(term.first + " [J]");
+      for (const auto &[name, energy] : energies.terms())
+        columns.push_back(name + " [J]");
+      columns.push_back("residual [J]");
       return columns;
     }
 
@@ -104,6 +110,7 @@ namespace rift
     , solution_interval(parameters.output.solution_interval)
     , history_interval(parameters.output.history_interval)
     , ranks_per_file(parameters.output.ranks_per_file)
+    , output_fields(parameters.output.fields)
     , initial_nodes(
         communicator.sum(body.discretization.topology.n_owned_nodes()))
   {
@@ -122,15 +129,18 @@ namespace rift
   }
 
   void
-  Results::open(const Parameters &parameters, Log &log)
+  Results::open(const Parameters &parameters,
+                const Energies   &energies,
+                Log              &log)
   {
-    communicator.on_root([&] { open_files(parameters, log); });
+    communicator.on_root([&] { open_files(parameters, energies, log); });
     make_series(parameters);
     was_opened = true;
   }
 
   void
   Results::reopen(const Parameters   &parameters,
+                  const Energies     &energies,
                   const SavedResults &saved,
                   Log                &log)
   {
@@ -142,7 +152,7 @@ namespace rift
                             probe_columns(),
                             saved.probes_length);
       energy_file.emplace(path("energy.csv"),
-                          energy_columns(),
+                          energy_columns(energies),
                           saved.energy_length);
     });
     make_series(parameters);
@@ -194,7 +204,9 @@ namespace rift
   }
 
   void
-  Results::open_files(const Parameters &parameters, Log &log)
+  Results::open_files(const Parameters &parameters,
+                      const Energies   &energies,
+                      Log              &log)
   {
     prepare_output_directory(directory, parameters.output.overwrite);
     log.open(path("log.txt"));
@@ -207,7 +219,7 @@ namespace rift
 
     if (!probes.empty())
       probes_file.emplace(path("probes.csv"), probe_columns());
-    energy_file.emplace(path("energy.csv"), energy_columns());
+    energy_file.emplace(path("energy.csv"), energy_columns(energies));
   }
 
   bool
@@ -234,13 +246,7 @@ namespace rift
     std::vector<double> values = {d.state.time};
     if (!probes.empty())
       for (const double value :
-           probe_values(probes,
-                        d.topology,
-                        snapshot.internal_force,
-                        snapshot.rigid_bodies,
-                        d.state,
-                        velocity_at_step(d.state, snapshot.time_step),
-                        communicator))
+           probe_values(probes, d.topology, fields_of(snapshot), communicator))
         values.push_back(value);
 
     communicator.on_root([&] {
@@ -253,22 +259,27 @@ namespace rift
   void
   Results::write_solution(const Snapshot &snapshot)
   {
+    if (!has_solutions())
+      return;
     ++n_solutions;
-    const Discretization &d = snapshot.body.discretization;
-    solid->write(
-      d.state.time,
-      solid_solution(d.topology,
-                     d.state,
-                     snapshot.internal_force,
-                     velocity_at_step(d.state, snapshot.time_step),
-                     number_fragments(d.topology,
-                                      d.reference,
-                                      densities_of(snapshot.body.materials),
-                                      communicator)));
+    const Discretization      &d      = snapshot.body.discretization;
+    FieldList                  fields = fields_of(snapshot);
+    std::vector<std::uint32_t> fragments;
+    declare_labels(fields, &d.topology, &fragments);
+    if (output_fields.includes(*fields.find("fragment", FieldLocation::cell)))
+      fragments = number_fragments(d.topology,
+                                   d.reference,
+                                   densities_of(snapshot.body.materials),
+                                   communicator);
+    solid->write(d.state.time,
+                 solid_solution(d.topology, fields, output_fields));
     if (fracture)
       fracture->write(
         d.state.time,
-        fracture_solution(d.topology, d.state, *snapshot.cohesive_force));
+        fracture_solution(d.topology,
+                          snapshot.modules.fracture->cohesive_force(),
+                          fields,
+                          output_fields));
     flush();
   }
 
@@ -285,7 +296,6 @@ namespace rift
   void
   Results::finish(const Snapshot &snapshot, Summary summary)
   {
-    flush();
     const Discretization &d = snapshot.body.discretization;
     const auto            fragments =
       list_fragments(d.topology,
@@ -310,8 +320,13 @@ namespace rift
       snapshot.ledger.largest_relative_residual();
     summary.state_hash = state_hash(d.topology, d.state, communicator);
     communicator.on_root([&] {
-      write_fragments(path("fragments.csv"), fragments);
-      write_summary(path("summary.json"), summary);
+      call_all({[&] { energy_file->flush(); },
+                [&] {
+                  if (probes_file)
+                    probes_file->flush();
+                },
+                [&] { write_fragments(path("fragments.csv"), fragments); },
+                [&] { write_summary(path("summary.json"), summary); }});
     });
   }
 } // namespace rift

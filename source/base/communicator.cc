@@ -14,15 +14,24 @@ namespace rift
     /** One tag for each way in which messages go between pairs of ranks. */
     constexpr int exchange_tag = 1, bytes_tag = 2;
 
-    int
-    count_of(const std::string &bytes)
+    MPI_Comm
+    duplicate_of(const MPI_Comm original)
     {
-      if (bytes.size() > largest_piece)
-        throw RunError("a rank has " + std::to_string(bytes.size()) +
-                       " bytes to send at once; MPI takes " +
-                       std::to_string(largest_piece) +
-                       ". Start rift on more ranks.");
-      return static_cast<int>(bytes.size());
+      MPI_Comm duplicate;
+      MPI_Comm_dup(original, &duplicate);
+      return duplicate;
+    }
+
+    void
+    free_communicator(const MPI_Comm *communicator)
+    {
+      // Objects of static lifetime outlive MPI, and with it this one.
+      int is_finalized = 0;
+      MPI_Finalized(&is_finalized);
+      MPI_Comm copy = *communicator;
+      if (is_finalized == 0)
+        MPI_Comm_free(&copy);
+      delete communicator;
     }
 
     /** Texts of all ranks that have come one after the other. */
@@ -58,8 +67,20 @@ namespace rift
     }
   } // namespace
 
-  Communicator::Communicator(const MPI_Comm communicator)
-    : communicator(communicator)
+  int
+  mpi_count(const std::size_t n_bytes)
+  {
+    if (n_bytes > largest_piece)
+      throw RunError("a rank has " + std::to_string(n_bytes) +
+                     " bytes to send at once; MPI takes " +
+                     std::to_string(largest_piece) +
+                     ". Start rift on more ranks.");
+    return static_cast<int>(n_bytes);
+  }
+
+  Communicator::Communicator(const MPI_Comm original)
+    : duplicate(new MPI_Comm(duplicate_of(original)), free_communicator)
+    , communicator(*duplicate)
   {
     MPI_Comm_rank(communicator, &own_rank);
     MPI_Comm_size(communicator, &n_ranks);
@@ -112,7 +133,7 @@ namespace rift
     // -1 where there is no message, which may also be empty.
     std::vector<int> sent(n_ranks, -1), received(n_ranks);
     for (const auto &[rank, bytes] : messages)
-      sent[rank] = count_of(bytes);
+      sent[rank] = mpi_count(bytes.size());
     MPI_Alltoall(sent.data(),
                  1,
                  MPI_INT,
@@ -141,7 +162,7 @@ namespace rift
         bytes.resize(size);
         requests.emplace_back();
         MPI_Irecv(bytes.data(),
-                  static_cast<int>(size),
+                  mpi_count(size),
                   MPI_BYTE,
                   rank,
                   exchange_tag,
@@ -152,7 +173,7 @@ namespace rift
       {
         requests.emplace_back();
         MPI_Isend(bytes.data(),
-                  count_of(bytes),
+                  mpi_count(bytes.size()),
                   MPI_BYTE,
                   rank,
                   exchange_tag,
@@ -170,7 +191,7 @@ namespace rift
   {
     if (n_ranks == 1)
       return {bytes};
-    const int        count = count_of(bytes);
+    const int        count = mpi_count(bytes.size());
     std::vector<int> counts(n_ranks);
     MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, communicator);
     const std::vector<int> begins = begins_of(counts);
@@ -192,7 +213,7 @@ namespace rift
   {
     if (n_ranks == 1)
       return {bytes};
-    const int        count = count_of(bytes);
+    const int        count = mpi_count(bytes.size());
     std::vector<int> counts(n_ranks), begins;
     MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, communicator);
     begins = begins_of(counts);
@@ -288,10 +309,11 @@ namespace rift
       {
         f();
       }
-    catch (const Error &error)
+    catch (const std::exception &exception)
       {
         if (n_ranks == 1)
           throw;
+        const Error error = to_error(exception);
         failure = static_cast<char>('0' + static_cast<int>(error.exit_code)) +
                   std::string(error.what());
       }
@@ -299,7 +321,8 @@ namespace rift
       return;
     for (const std::string &one : all_gather(failure))
       if (!one.empty())
-        throw Error(static_cast<ExitCode>(one[0] - '0'), one.substr(1));
+        throw CollectiveError(static_cast<ExitCode>(one[0] - '0'),
+                              one.substr(1));
   }
 
   void

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -72,6 +73,25 @@ namespace rift
                 const unsigned int line);
     };
 
+    // Throws unless `text`, which `before` tells the place of, is UTF-8, as all
+    // must be that is to stand in the files of results.
+    void
+    check_encoding(const std::string &text,
+                   const std::string &before,
+                   const std::string &advice)
+    {
+      const std::size_t position = find_invalid_utf8(text);
+      if (position == std::string::npos)
+        return;
+      char byte[5];
+      std::snprintf(byte,
+                    sizeof(byte),
+                    "0x%02x",
+                    static_cast<unsigned char>(text[position]));
+      throw InputError(before + "the byte " + byte + " in \"" + excerpt(text) +
+                       "\" is not valid UTF-8. " + advice);
+    }
+
     // The next line without comment, joined with those that continue it.
     bool
     next_line(std::ifstream     &stream,
@@ -89,7 +109,10 @@ namespace rift
           if (last == 1 && line.compare(0, 3, "\xEF\xBB\xBF") == 0)
             line.erase(0, 3);
           line.erase(std::min(line.find('#'), line.size()));
-          line               = simplified(line);
+          line = simplified(line);
+          check_encoding(line,
+                         at(file, last),
+                         "Save the file as UTF-8, or use ASCII.");
           const bool goes_on = ends_with(line, "\\");
           text += goes_on ? line.substr(0, line.size() - 1) : line;
           if (!goes_on)
@@ -228,6 +251,9 @@ namespace rift
   void
   ParameterFile::add_override(const std::string &text)
   {
+    check_encoding(text,
+                   "--set " + excerpt(text) + ": ",
+                   "Use UTF-8 or ASCII.");
     const std::size_t equals = text.find('=');
     const std::string target = text.substr(0, equals);
     const std::size_t slash  = target.rfind('/');
@@ -286,10 +312,9 @@ namespace rift
           continue;
         const std::string name = section.path.substr(kind.size() + 1);
         const std::string here = at(section.file, section.line);
-        if (name.find_first_of(",;\"'[]{}()=\\") != std::string::npos)
+        if (const std::string problem = name_problem(name); !problem.empty())
           throw InputError(here + "subsection \"" + section.path +
-                           "\": a name cannot have any of , ; \" ' [ ] { } ( "
-                           ") = \\ in it. Choose another.");
+                           "\": " + problem + ". Choose another.");
         for (const ParameterSection &other : found)
           if (other.path == section.path)
             throw InputError(here + "subsection \"" + section.path +

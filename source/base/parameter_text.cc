@@ -38,6 +38,41 @@ namespace rift
         }
       return row.back();
     }
+
+    /**
+     * How many bytes the character of UTF-8 at `i` has, 0 if there is none: as
+     * the first byte says, if the others continue it, and if it is neither
+     * longer than need be, half of a pair of UTF-16, nor beyond Unicode.
+     */
+    std::size_t
+    utf8_length(const std::string &text, const std::size_t i)
+    {
+      const auto byte = [&](const std::size_t j) {
+        return static_cast<unsigned char>(j < text.size() ? text[j] : 0);
+      };
+      const unsigned int first  = byte(i);
+      const std::size_t  length = first < 0x80                  ? 1 :
+                                  first >= 0xc2 && first < 0xe0 ? 2 :
+                                  first >= 0xe0 && first < 0xf0 ? 3 :
+                                  first >= 0xf0 && first < 0xf5 ? 4 :
+                                                                  0;
+      for (std::size_t j = 1; j < length; ++j)
+        if ((byte(i + j) & 0xc0) != 0x80)
+          return 0;
+      const unsigned int second = byte(i + 1);
+      if ((first == 0xe0 && second < 0xa0) ||
+          (first == 0xed && second > 0x9f) ||
+          (first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f))
+        return 0;
+      return length;
+    }
+
+    bool
+    is_printable(const std::string &text, const std::size_t i)
+    {
+      return utf8_length(text, i) > 0 &&
+             !std::iscntrl(static_cast<unsigned char>(text[i]));
+    }
   } // namespace
 
   std::string
@@ -58,15 +93,46 @@ namespace rift
     return result;
   }
 
+  std::size_t
+  find_invalid_utf8(const std::string &text)
+  {
+    for (std::size_t i = 0; i < text.size();)
+      {
+        const std::size_t length = utf8_length(text, i);
+        if (length == 0)
+          return i;
+        i += length;
+      }
+    return std::string::npos;
+  }
+
   std::string
   excerpt(const std::string &text)
   {
     constexpr std::size_t longest = 60;
-    std::string           result  = text.substr(0, longest);
-    for (char &c : result)
-      if (std::iscntrl(static_cast<unsigned char>(c)))
-        c = '?';
-    return text.size() > longest ? result + "..." : result;
+    std::string           result;
+    std::size_t           i = 0;
+    while (i < text.size())
+      {
+        const std::size_t length =
+          std::max<std::size_t>(utf8_length(text, i), 1);
+        if (i + length > longest)
+          return result + "...";
+        result += is_printable(text, i) ? text.substr(i, length) : "?";
+        i += length;
+      }
+    return result;
+  }
+
+  std::string
+  name_problem(const std::string &name)
+  {
+    constexpr const char *forbidden = "/#,;\"'[]{}()=\\";
+    if (find_invalid_utf8(name) != std::string::npos)
+      return "a name must be UTF-8";
+    if (name.find_first_of(forbidden) != std::string::npos)
+      return "a name cannot have any of / # , ; \" ' [ ] { } ( ) = \\ in it";
+    return "";
   }
 
   std::vector<std::string>
@@ -130,8 +196,11 @@ namespace rift
 
   std::string
   suggestion(const std::string              &name,
-             const std::vector<std::string> &candidates)
+             const std::vector<std::string> &candidates,
+             const std::string              &if_none)
   {
+    if (candidates.empty())
+      return " " + if_none;
     const std::string nearest = nearest_name(name, candidates);
     if (!nearest.empty())
       return " Did you mean \"" + nearest + "\"?";

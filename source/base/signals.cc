@@ -4,7 +4,15 @@ namespace rift
 {
   namespace
   {
-    constexpr int stop_signals[] = {SIGTERM, SIGUSR1, SIGINT};
+    constexpr int stop_signals[] =
+      {SIGTERM, SIGUSR1, SIGUSR2, SIGXCPU, SIGHUP, SIGINT};
+
+    /** Those that come from a terminal: a script may have put rift beyond it. */
+    bool
+    may_stay_ignored(const int signal)
+    {
+      return signal == SIGINT || signal == SIGHUP;
+    }
 
     // A handler gets no argument of ours, and may only touch this type.
     volatile std::sig_atomic_t was_received = 0;
@@ -34,7 +42,7 @@ namespace rift
       {
         struct sigaction old_action = {};
         sigaction(signal, &action, &old_action);
-        if (signal == SIGINT && old_action.sa_handler == SIG_IGN)
+        if (may_stay_ignored(signal) && old_action.sa_handler == SIG_IGN)
           sigaction(signal, &old_action, nullptr);
         old_actions.push_back(old_action);
       }

@@ -3,6 +3,7 @@
 #include <rift/base/number_text.h>
 #include <rift/base/parameter_declarations.h>
 #include <rift/cohesive/cohesive_parameters.h>
+#include <rift/cohesive/laws/all.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,68 @@ namespace rift
     const std::vector<std::string> model_names = {"none",
                                                   "extrinsic",
                                                   "intrinsic"};
+
+    /** All laws of a name. */
+    struct NamedLaw
+    {
+      std::string                name, summary;
+      std::vector<CohesiveModel> models;
+    };
+
+    template <typename... Laws>
+    std::vector<NamedLaw>
+    by_name(LawList<Laws...>)
+    {
+      std::vector<NamedLaw> result;
+      for (const NamedLaw &law :
+           {NamedLaw{Laws::name, Laws::summary, {Laws::model}}...})
+        {
+          const auto same = std::find_if(
+            result.begin(),
+            result.end(),
+            [&law](const NamedLaw &other) { return other.name == law.name; });
+          if (same == result.end())
+            result.push_back(law);
+          else
+            same->models.push_back(law.models.front());
+        }
+      return result;
+    }
+
+    const std::vector<NamedLaw> laws = by_name(CohesiveLaws());
+
+    bool
+    serves(const NamedLaw &law, const CohesiveModel model)
+    {
+      return std::find(law.models.begin(), law.models.end(), model) !=
+             law.models.end();
+    }
+
+    /** "A|B|C": what "Cohesive law" can be. */
+    std::string
+    law_names()
+    {
+      std::string text;
+      for (const NamedLaw &law : laws)
+        text += (text.empty() ? "" : "|") + law.name;
+      return text;
+    }
+
+    std::string
+    description_of_laws()
+    {
+      std::string text =
+        "How the traction of a cohesive element follows its jump.";
+      for (const NamedLaw &law : laws)
+        {
+          text += " " + law.name + " (";
+          for (const CohesiveModel model : law.models)
+            text +=
+              (model == law.models.front() ? "" : ", ") + to_string(model);
+          text += "): " + law.summary + ".";
+        }
+      return text;
+    }
 
     /** "10 E" or a number in Pa. */
     Penalty
@@ -60,6 +123,10 @@ namespace rift
                       "breakable materials have a cohesive element from the "
                       "start; it costs time and slows waves down, and is here "
                       "to be compared with.");
+    prm.declare_entry("Cohesive law",
+                      defaults.law,
+                      Patterns::Selection(law_names()),
+                      description_of_laws());
     declare_number(prm,
                    "Stiffness factor",
                    defaults.stiffness_factor,
@@ -104,6 +171,7 @@ namespace rift
                                                 model_names.end(),
                                                 prm.get("Cohesive model")) -
                                       model_names.begin());
+    result.law              = prm.get("Cohesive law");
     result.penalty          = read_penalty(prm.get("Cohesive penalty"));
     result.stiffness_factor = prm.get_double("Stiffness factor");
     result.least_share      = prm.get_double("Least share of strength");
@@ -115,6 +183,7 @@ namespace rift
   void
   CohesiveParameters::check() const
   {
+    check_law();
     // Below, faces are so soft that they part or overlap by their own size.
     constexpr double smallest_factor = 1e-3, smallest_multiple = .01;
     if (!(stiffness_factor >= smallest_factor))
@@ -150,6 +219,27 @@ namespace rift
                              to_text(penalty.value) + " E\".");
   }
 
+  void
+  CohesiveParameters::check_law() const
+  {
+    if (model == Model::none)
+      return;
+    std::string others;
+    for (const NamedLaw &other : laws)
+      if (serves(other, model))
+        {
+          if (other.name == law)
+            return;
+          others += (others.empty() ? "" : ", ") + other.name;
+        }
+    throw ParameterError(section,
+                         "Cohesive law",
+                         "this law does not serve the " + to_string(model) +
+                           " model; choose another \"Cohesive model\", or a "
+                           "law that does: " +
+                           others + ".");
+  }
+
   std::vector<InertEntries>
   CohesiveParameters::inert_entries() const
   {
@@ -162,7 +252,7 @@ namespace rift
     if (model != Model::intrinsic)
       names.push_back("Cohesive penalty");
     if (model == Model::none)
-      names.push_back("Seed");
+      names.insert(names.end(), {"Cohesive law", "Seed"});
     return {{section,
              names,
              {{section, "Cohesive model"}},

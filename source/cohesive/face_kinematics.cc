@@ -82,4 +82,57 @@ namespace rift
       }
     return forces;
   }
+
+  void
+  scatter(const CohesiveBatch &batch, const FaceForces &forces, State &state)
+  {
+    std::array<std::array<Row, batch_size>, 3> minus, plus;
+    for (unsigned int c = 0; c < 3; ++c)
+      {
+        minus[c] = transpose_to_rows(forces.minus[c]);
+        plus[c]  = transpose_to_rows(forces.plus[c]);
+      }
+    for (unsigned int lane = 0; lane < batch.n_faces; ++lane)
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          state.force[batch.minus[c][lane]].row() += minus[c][lane];
+          state.force[batch.plus[c][lane]].row() += plus[c][lane];
+        }
+  }
+
+  CornerForces
+  corner_forces_in_frame(const CohesiveBatch  &batch,
+                         const FaceKinematics &kinematics,
+                         const unsigned int    lane,
+                         const OpeningCorner  *first,
+                         const OpeningCorner  *last)
+  {
+    CornerForces    forces{};
+    Vector3<double> mean = {{0, 0, 0}};
+    for (auto share = first; share != last; ++share)
+      {
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int d = 0; d < dim; ++d)
+            forces[share->corner][i] +=
+              kinematics.frame[i][d][lane] * share->force[d];
+        mean += (1. / (last - first)) * forces[share->corner];
+      }
+    for (unsigned int c = 0; c < 3; ++c)
+      if (batch.minus[c][lane] == batch.plus[c][lane])
+        forces[c] = mean;
+    return forces;
+  }
+
+  Vector3<double>
+  traction_of(const CornerForces          &forces,
+              const double                 area,
+              const std::array<double, 3> &shape)
+  {
+    // The functions 4 N_c - 1 are dual to the N_c: each loads its own corner
+    // alone.
+    Vector3<double> traction = {{0, 0, 0}};
+    for (unsigned int c = 0; c < 3; ++c)
+      traction += (3 / area * (4 * shape[c] - 1)) * forces[c];
+    return traction;
+  }
 } // namespace rift

@@ -8,17 +8,17 @@
 
 namespace rift
 {
-  Insertion::Insertion(const Topology          &topology,
-                       const ReferenceCellData &reference,
-                       const InternalForce     &internal_force,
-                       const FaceStrengths     &strengths,
-                       const double             least_share)
+  Insertion::Insertion(const Topology           &topology,
+                       const ReferenceCellData  &reference,
+                       const InternalForce      &internal_force,
+                       const FaceStrengths      &strengths,
+                       const CohesiveParameters &parameters)
     : topology(topology)
     , reference(reference)
     , internal_force(internal_force)
     , strengths(strengths)
     , bounds(strengths.stress_bounds())
-    , least_share(least_share)
+    , least_share(parameters.least_share)
     , stress_position(topology.n_batches(), invalid_index)
   {
   }

@@ -35,10 +35,10 @@ namespace rift
     }
 
     void
-    set_separations(CohesivePoint<double> &point,
-                    const FaceStrength    &strength,
-                    const double           stiffness,
-                    const double           part_of_fracture)
+    set_separations(MohrCoulombPoint<double> &point,
+                    const FaceStrength       &strength,
+                    const double              stiffness,
+                    const double              part_of_fracture)
     {
       const Mode opening = {strength.tensile_strength,
                             strength.fracture_energy_1,
@@ -93,55 +93,63 @@ namespace rift
     }
   } // namespace
 
-  CohesiveConstants<double>
-  make_constants(const FaceStrength &strength, const double stiffness)
+  template <typename Branch>
+  MohrCoulombConstants<double>
+  MohrCoulomb<Branch>::make_constants(const FaceStrength &strength,
+                                      const double        stiffness)
   {
     return {stiffness,
             strength.tensile_strength,
+            strength.cohesion,
             strength.tan_friction_angle,
             strength.residual_friction};
   }
 
-  CohesivePoint<double>
-  make_cohesive_point(const FaceStrength &strength,
-                      const double        stiffness,
-                      const double        part_of_fracture)
+  template <typename Branch>
+  MohrCoulombPoint<double>
+  MohrCoulomb<Branch>::make_point(const FaceStrength      &strength,
+                                  const Constants<double> &constants)
   {
-    CohesivePoint<double> point{};
+    Point<double> point{};
     point.softening = 1;
     point.cohesion  = strength.cohesion;
-    set_separations(point, strength, stiffness, part_of_fracture);
+    set_separations(point,
+                    strength,
+                    constants.stiffness,
+                    Branch::part_of_fracture);
     return point;
   }
 
+  template <typename Branch>
   bool
-  is_separation_too_short(const FaceStrength &strength,
-                          const double        stiffness,
-                          const double        part_of_fracture)
+  MohrCoulomb<Branch>::is_resolved(const FaceStrength      &strength,
+                                   const Constants<double> &constants)
   {
-    const auto is_too_short = [=](const double of_strength,
+    const auto is_too_short = [&](const double of_strength,
                                   const double energy) {
-      return (Softening::integral * shortest_separation + part_of_fracture) *
-               of_strength * of_strength / stiffness >
+      return (Softening::integral * shortest_separation +
+              Branch::part_of_fracture) *
+               of_strength * of_strength / constants.stiffness >
              energy;
     };
-    return is_too_short(strength.tensile_strength,
-                        strength.fracture_energy_1) ||
-           is_too_short(strength.cohesion, strength.fracture_energy_2);
+    return !is_too_short(strength.tensile_strength,
+                         strength.fracture_energy_1) &&
+           !is_too_short(strength.cohesion, strength.fracture_energy_2);
   }
 
+  template <typename Branch>
   double
-  hold_traction(CohesivePoint<double> &point,
-                const Vector3<double> &jump,
-                const Vector3<double> &more,
-                const FaceStrength    &strength,
-                const double           stiffness)
+  MohrCoulomb<Branch>::hold_traction(Point<double>           &point,
+                                     const FaceStrength      &strength,
+                                     const Constants<double> &constants,
+                                     const Vector3<double>   &jump,
+                                     const Vector3<double>   &more)
   {
-    const Vector3<double> before = point.traction;
-    const Vector3<double> t      = before + more;
-    const double          coefficient =
-      make_constants(strength, stiffness).friction_at(point.softening);
-    const double friction         = coefficient * std::max(-t[0], 0.);
+    const double          stiffness   = constants.stiffness;
+    const Vector3<double> before      = point.traction;
+    const Vector3<double> t           = before + more;
+    const double          coefficient = constants.friction_at(point.softening);
+    const double          friction    = coefficient * std::max(-t[0], 0.);
     const double tensile_strength = point.softening * strength.tensile_strength;
     const double cohesion         = point.softening * strength.cohesion;
     const double shear            = std::hypot(t[1], t[2]) - friction;
@@ -165,10 +173,10 @@ namespace rift
     point.given_opening += has.opening - had.opening;
     point.given_sliding += has.sliding - had.sliding;
     point.debt += has.owed - had.owed;
-    set_separations(point,
-                    strength,
-                    stiffness,
-                    StraightBranch::part_of_fracture);
+    set_separations(point, strength, stiffness, Branch::part_of_fracture);
     return has.opening - had.opening + has.sliding - had.sliding;
   }
+
+  template class MohrCoulomb<StraightBranch>;
+  template class MohrCoulomb<ParabolicBranch>;
 } // namespace rift

@@ -84,13 +84,9 @@ namespace rift
       std::map<int, std::vector<std::uint64_t>> keys;
       for (const Vector3<double> &point : points)
         keys[division.rank_of(point)].push_back(division.key_of(point));
-      std::map<int, std::string> messages;
-      for (const auto &[rank, of_rank] : keys)
-        messages[rank] = to_bytes(of_rank);
       std::vector<std::uint64_t> result;
-      for (const auto &[rank, bytes] : communicator.exchange(messages))
-        for (const std::uint64_t key : from_bytes<std::uint64_t>(bytes))
-          result.push_back(key);
+      for (const auto &[rank, of_rank] : communicator.exchange(keys))
+        result.insert(result.end(), of_rank.begin(), of_rank.end());
       std::sort(result.begin(), result.end());
       return result;
     }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace rift
@@ -125,23 +126,26 @@ namespace rift
     n_known_events = interface.n_crack_events();
     searched_cells = surface.cells();
     searched_positions.clear();
-    double largest_speed = 0;
+    constexpr double infinity      = std::numeric_limits<double>::infinity();
+    double           largest_speed = 0;
     for (const CellIndex cell : searched_cells)
       {
         const CellMotion motion = motion_of(topology, state, cell);
         searched_positions.push_back(motion.positions);
         for (const Vector3<double> &v : motion.velocities)
-          largest_speed = std::max(largest_speed, norm(v));
+          if (const double speed = norm(v); !(speed <= largest_speed))
+            largest_speed = std::isnan(speed) ? infinity : speed;
       }
     largest_speed     = communicator.max(largest_speed);
     const double move = time_step * largest_speed;
     if (move > .5 / skin_per_size * skin)
-      throw RunError("contact: at step " + std::to_string(state.step) +
-                     " something moves with " + short_text(largest_speed) +
-                     " m/s, by " + short_text(move) +
-                     " m or more than half of a cell in a step. It would pass "
-                     "through what it meets. Choose a smaller time step "
-                     "(subsection Time).");
+      throw CollectiveError(
+        ExitCode::run_error,
+        "contact: at step " + std::to_string(state.step) +
+          " something moves with " + short_text(largest_speed) + " m/s, by " +
+          short_text(move) +
+          " m or more than half of a cell in a step. It would pass through "
+          "what it meets. Choose a smaller time step (subsection Time).");
     // What moves by half of the skin in a step is searched for in each, farther
     // off.
     const double reach = skin + 2 * move;
@@ -189,7 +193,7 @@ namespace rift
         pair.a         = member(found.first);
         pair.b         = member(found.second);
         pair.constants = {std::min(a.constants.penalty, b.constants.penalty),
-                          interface.friction(a.material, b.material),
+                          interface.friction[a.material][b.material],
                           interface.damping,
                           1 / (1 / a.constants.mass + 1 / b.constants.mass)};
         pairs.push_back(pair);
@@ -213,13 +217,10 @@ namespace rift
         }
     for (auto &[rank, partner] : asked)
       tellers.push_back(std::move(partner));
-    std::map<int, std::string> messages;
-    for (const auto &[rank, cells] : wanted)
-      messages[rank] = to_bytes(cells);
-    for (const auto &[rank, bytes] : communicator.exchange(messages))
+    for (const auto &[rank, cells] : communicator.exchange(wanted))
       {
         Partner listener{rank, {}};
-        for (const GlobalCellIndex cell : from_bytes<GlobalCellIndex>(bytes))
+        for (const GlobalCellIndex cell : cells)
           listener.cells.push_back(topology.find_cell(cell));
         listeners.push_back(std::move(listener));
       }
@@ -298,6 +299,16 @@ namespace rift
         if (!activity.has_woken_neighbours(member.local / batch_size))
           activity.wake_node(topology, node);
       }
+  }
+
+  void
+  ContactForce::count_pairs(const Topology             &topology,
+                            std::vector<std::uint32_t> &n) const
+  {
+    for (const Pair &pair : pairs)
+      if (const CellIndex a = members[pair.a].local;
+          a != invalid_index && topology.owns_cell(a))
+        ++n[a];
   }
 
   std::uint64_t

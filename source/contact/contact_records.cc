@@ -3,10 +3,41 @@
 #include <rift/contact/contact_force.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 // Looking at contact from outside: overlaps at the start, checkpoints.
 namespace rift
 {
+  namespace
+  {
+    /** A pair of cells that may touch, for a checkpoint. */
+    struct PairRecord
+    {
+      GlobalCellIndex a, b;
+      double          free_potential, slip[dim], stiffness, damper;
+    };
+
+    /** A cell that took part in the last search, and where it was then. */
+    struct CellRecord
+    {
+      GlobalCellIndex cell;
+      std::uint32_t   padding;
+      double          positions[n_corners][dim];
+    };
+  } // namespace
+
+  template <>
+  struct HasPlainBytes<PairRecord> : std::true_type
+  {
+    static_assert(sizeof(PairRecord) == 2 * 4 + 6 * 8);
+  };
+
+  template <>
+  struct HasPlainBytes<CellRecord> : std::true_type
+  {
+    static_assert(sizeof(CellRecord) == 2 * 4 + n_corners * dim * 8);
+  };
+
   namespace
   {
     /** Bodies that are meshed side by side overlap by rounding alone; this much
@@ -57,68 +88,65 @@ namespace rift
     });
   }
 
-  std::vector<ContactPairRecord>
-  ContactForce::pair_records() const
+  void
+  ContactForce::save(Archive &archive) const
   {
-    std::vector<ContactPairRecord> records;
+    std::vector<PairRecord> pair_records;
     for (const Pair &pair : pairs)
       {
         const ContactCell &a = members[pair.a].cell;
         if (a.owner != communicator.rank())
           continue;
-        ContactPairRecord record{a.cell,
-                                 members[pair.b].cell.cell,
-                                 pair.memory.free_potential,
-                                 {},
-                                 pair.memory.stiffness,
-                                 pair.memory.damper};
+        PairRecord record{a.cell,
+                          members[pair.b].cell.cell,
+                          pair.memory.free_potential,
+                          {},
+                          pair.memory.stiffness,
+                          pair.memory.damper};
         std::copy(pair.memory.slip.begin(),
                   pair.memory.slip.end(),
                   record.slip);
-        records.push_back(record);
+        pair_records.push_back(record);
       }
-    return records;
-  }
+    archive.write_list("contact: pairs", pair_records);
 
-  std::vector<ContactCellRecord>
-  ContactForce::cell_records() const
-  {
-    std::vector<ContactCellRecord> records;
+    std::vector<CellRecord> cell_records;
     for (std::size_t i = 0; i < searched_cells.size(); ++i)
       {
-        ContactCellRecord record{
-          topology.cell_global_indices[searched_cells[i]],
-          0,
-          {}};
+        CellRecord record{topology.cell_global_indices[searched_cells[i]],
+                          0,
+                          {}};
         for (unsigned int c = 0; c < n_corners; ++c)
           std::copy(searched_positions[i][c].begin(),
                     searched_positions[i][c].end(),
                     record.positions[c]);
-        records.push_back(record);
+        cell_records.push_back(record);
       }
-    return records;
-  }
-
-  bool
-  ContactForce::has_changed() const
-  {
-    return communicator.any(interface.n_crack_events() != n_known_events);
+    archive.write_list("contact: searched cells", cell_records);
+    const bool has_changed =
+      communicator.any(interface.n_crack_events() != n_known_events);
+    archive.write_value<std::uint64_t>("contact: cracks have changed",
+                                       has_changed ? 1 : 0);
+    archive.write_sum("contact: friction", energies.friction);
+    archive.write_sum("contact: damping", energies.damping);
   }
 
   void
-  ContactForce::restore(const State                          &state,
-                        const std::vector<ContactPairRecord> &pair_records,
-                        const std::vector<ContactCellRecord> &cell_records,
-                        const bool                            has_changed)
+  ContactForce::load(const State &state, const Archive &archive)
   {
-    has_searched   = true;
-    n_known_events = interface.n_crack_events() - (has_changed ? 1 : 0);
+    has_searched = true;
+    n_known_events =
+      interface.n_crack_events() -
+      archive.read_value<std::uint64_t>("contact: cracks have changed");
+    energies.friction = archive.read_sum("contact: friction");
+    energies.damping  = archive.read_sum("contact: damping");
     // Ranks may have had any cells.
-    std::vector<ContactCellRecord> sorted_cells = cell_records;
+    auto sorted_cells =
+      archive.read_list<CellRecord>("contact: searched cells");
     std::sort(sorted_cells.begin(),
               sorted_cells.end(),
               [](const auto &x, const auto &y) { return x.cell < y.cell; });
-    for (const ContactCellRecord &record : sorted_cells)
+    for (const CellRecord &record : sorted_cells)
       {
         const CellIndex cell = topology.find_cell(record.cell);
         if (cell == invalid_index || !topology.owns_cell(cell))
@@ -133,20 +161,23 @@ namespace rift
         searched_positions.push_back(positions);
       }
 
-    std::vector<ContactPairRecord> sorted = pair_records;
+    auto sorted = archive.read_list<PairRecord>("contact: pairs");
     std::sort(sorted.begin(), sorted.end(), [](const auto &x, const auto &y) {
       return std::make_pair(x.a, x.b) < std::make_pair(y.a, y.b);
     });
     std::vector<Rendezvous::NamedPair> names;
-    for (const ContactPairRecord &record : sorted)
+    for (const PairRecord &record : sorted)
       names.emplace_back(record.a, record.b);
     take(rendezvous.join(own_cells(state, searched_cells), names));
     auto record = sorted.begin();
     for (Pair &pair : pairs)
       {
-        while (record->a != members[pair.a].cell.cell ||
-               record->b != members[pair.b].cell.cell)
-          ++record;
+        record = std::find_if(record, sorted.end(), [&](const auto &r) {
+          return r.a == members[pair.a].cell.cell &&
+                 r.b == members[pair.b].cell.cell;
+        });
+        if (record == sorted.end())
+          throw std::logic_error("a restored pair has no record");
         pair.memory.free_potential = record->free_potential;
         pair.memory.stiffness      = record->stiffness;
         pair.memory.damper         = record->damper;

@@ -1,4 +1,3 @@
-#include <rift/base/bytes.h>
 #include <rift/contact/background_octree.h>
 #include <rift/contact/rendezvous.h>
 
@@ -11,21 +10,6 @@ namespace rift
     /** Space is divided anew when the rank with most cells has so many times
      * what it had when that was done last. */
     constexpr double largest_growth = 1.5;
-
-    /** What has come from each rank that has sent something, by rank. */
-    template <typename T>
-    std::vector<std::vector<T>>
-    exchange_vectors(const std::map<int, std::vector<T>> &data,
-                     const Communicator                  &communicator)
-    {
-      std::map<int, std::string> messages;
-      for (const auto &[rank, values] : data)
-        messages[rank] = to_bytes(values);
-      std::vector<std::vector<T>> received;
-      for (const auto &[rank, bytes] : communicator.exchange(messages))
-        received.push_back(from_bytes<T>(bytes));
-      return received;
-    }
 
     bool
     comes_before(const ContactCell &cell, const GlobalCellIndex name)
@@ -191,13 +175,13 @@ namespace rift
           view.insert(view.end(), ranks.begin(), ranks.end());
         }
 
-    const auto new_cells = exchange_vectors(cells, communicator);
+    const auto                    new_cells = communicator.exchange(cells);
     std::vector<std::vector<int>> new_viewers;
-    for (const auto &message : exchange_vectors(views, communicator))
+    for (const auto &[rank, message] : communicator.exchange(views))
       for (auto i = message.begin(); i != message.end(); i += 1 + *i)
         new_viewers.emplace_back(i + 1, i + 1 + *i);
     std::vector<std::pair<const ContactCell *, std::vector<int> *>> order;
-    for (const auto &message : new_cells)
+    for (const auto &[rank, message] : new_cells)
       for (const ContactCell &cell : message)
         order.emplace_back(&cell, &new_viewers[order.size()]);
     std::sort(order.begin(), order.end(), [](const auto &a, const auto &b) {
@@ -236,11 +220,11 @@ namespace rift
         cells[rank]               = std::move(part.cells);
         told[rank]                = std::move(part.pairs);
       }
-    const auto new_cells = exchange_vectors(cells, communicator);
-    const auto new_pairs = exchange_vectors(told, communicator);
+    const auto                        new_cells = communicator.exchange(cells);
+    const auto                        new_pairs = communicator.exchange(told);
     std::vector<ContactNeighbourhood> parts;
-    for (std::size_t i = 0; i < new_cells.size(); ++i)
-      parts.push_back({new_cells[i], new_pairs[i]});
+    for (const auto &[rank, of_rank] : new_cells)
+      parts.push_back({of_rank, new_pairs.at(rank)});
     return unite(parts);
   }
 } // namespace rift

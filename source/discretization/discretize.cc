@@ -112,10 +112,13 @@ namespace rift
 
     const auto     cells = sorted_cells(dof_handler);
     Discretization result{
+      communicator,
       make_topology(cells, triangulation, communicator.rank()),
       {},
       {},
-      {}};
+      {},
+      {},
+      densities};
     Topology &topology = result.topology;
 
     if (parted.empty())
@@ -153,6 +156,7 @@ namespace rift
         topology.is_complete(topology.node_vertices[node]) ?
           lumped_mass(topology, result.reference, densities, node) :
           std::numeric_limits<double>::infinity();
+    result.activity = Activity(topology);
     return result;
   }
 } // namespace rift

@@ -18,25 +18,6 @@ namespace rift
       std::uint32_t   corner;
     };
 
-    template <typename T>
-    void
-    append(std::vector<char> &buffer, const T *data, const std::size_t n)
-    {
-      const char *bytes = reinterpret_cast<const char *>(data);
-      buffer.insert(buffer.end(), bytes, bytes + n * sizeof(T));
-    }
-
-    template <typename T>
-    std::vector<T>
-    take(const char *&bytes, const std::size_t n)
-    {
-      std::vector<T> result(n);
-      if (n > 0)
-        std::memcpy(result.data(), bytes, n * sizeof(T));
-      bytes += n * sizeof(T);
-      return result;
-    }
-
     template <typename List>
     typename List::const_iterator
     find_vertex(const List &list, const VertexIndex vertex)
@@ -103,14 +84,11 @@ namespace rift
         tellers.push_back(std::move(teller));
       }
 
-    std::map<int, std::string> messages;
-    for (const auto &[rank, corners] : questions)
-      messages[rank] = to_bytes(corners);
-    for (const auto &[rank, message] : the_communicator.exchange(messages))
+    for (const auto &[rank, asked_here] : the_communicator.exchange(questions))
       {
         Partner listener;
         listener.rank = rank;
-        for (const NamedCorner &named : from_bytes<NamedCorner>(message))
+        for (const NamedCorner &named : asked_here)
           {
             const CellIndex cell = topology.find_cell(named.cell);
             const auto i = static_cast<std::uint32_t>(listener.corners.size());
@@ -179,12 +157,12 @@ namespace rift
   GhostExchange::name_first_nodes(const Communicator &the_communicator,
                                   Topology           &topology)
   {
-    std::map<int, std::string> answers;
+    std::map<int, std::vector<std::uint32_t>> answers;
     for (Partner &listener : listeners)
       {
         for (const VertexCorners &at_vertex : listener.vertices)
           number_nodes(topology, listener, at_vertex);
-        answers[listener.rank] = to_bytes(listener.corner_nodes);
+        answers[listener.rank] = listener.corner_nodes;
         // In this order they are found again.
         std::sort(listener.vertices.begin(),
                   listener.vertices.end(),
@@ -195,8 +173,7 @@ namespace rift
     const auto numbers = the_communicator.exchange(answers);
     for (Partner &teller : tellers)
       {
-        const auto of_corners =
-          from_bytes<std::uint32_t>(numbers.at(teller.rank));
+        const auto &of_corners  = numbers.at(teller.rank);
         VertexIndex last_vertex = invalid_index;
         for (std::uint32_t i = 0; i < of_corners.size(); ++i)
           {
@@ -277,7 +254,7 @@ namespace rift
               append(buffer, state.velocity[node].v, dim);
           }
         MPI_Isend(buffer.data(),
-                  static_cast<int>(buffer.size()),
+                  mpi_count(buffer.size()),
                   MPI_BYTE,
                   listener.rank,
                   tag,

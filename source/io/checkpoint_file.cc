@@ -96,6 +96,21 @@ namespace rift
             (errno != 0 ? std::strerror(errno) : "it ends too early"));
       return result;
     }
+
+    /** Of the names of blocks that hold entries of an archive. */
+    std::string
+    prefix_of(const Archive::Kind kind)
+    {
+      switch (kind)
+        {
+        case Archive::Kind::list:
+          return "list/";
+        case Archive::Kind::value:
+          return "value/";
+        default:
+          return "sum/";
+        }
+    }
   } // namespace
 
   CheckpointFileWriter::CheckpointFileWriter(const std::string &path)
@@ -132,6 +147,16 @@ namespace rift
     file.write(data);
     file.write(bytes_of(checksum));
     return checksum;
+  }
+
+  void
+  CheckpointFileWriter::write(const Archive &archive)
+  {
+    for (const auto &[name, entry] : archive.entries())
+      write_block(prefix_of(entry.kind) + name,
+                  entry.item_size,
+                  entry.bytes.data(),
+                  entry.bytes.size() / entry.item_size);
   }
 
   CheckpointFileId
@@ -227,6 +252,20 @@ namespace rift
       fail("is damaged" + at);
     block.name = bytes.substr(name, header.name_size);
     return block;
+  }
+
+  void
+  CheckpointFileReader::merge_into(Archive &archive) const
+  {
+    for (const Block &block : blocks)
+      for (const Archive::Kind kind :
+           {Archive::Kind::list, Archive::Kind::value, Archive::Kind::sum})
+        if (const std::string prefix = prefix_of(kind);
+            block.name.compare(0, prefix.size(), prefix) == 0)
+          archive.merge(block.name.substr(prefix.size()),
+                        {kind,
+                         block.item_size,
+                         {items_of(block), block.item_size * block.n_items}});
   }
 
   const CheckpointFileReader::Block &

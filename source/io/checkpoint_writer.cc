@@ -1,3 +1,4 @@
+#include <rift/base/bytes.h>
 #include <rift/io/checkpoint_set.h>
 #include <rift/io/checkpoint_writer.h>
 
@@ -25,22 +26,6 @@ namespace rift
     {
       if (std::rename(from.c_str(), to.c_str()) != 0)
         throw_disk_error("create", to, errno);
-    }
-
-    // What ranks tell each other.
-
-    std::string
-    to_bytes(const CheckpointFileId &id)
-    {
-      return std::string(reinterpret_cast<const char *>(&id), sizeof(id));
-    }
-
-    CheckpointFileId
-    from_bytes(const std::string &bytes)
-    {
-      CheckpointFileId id;
-      std::memcpy(&id, bytes.data(), sizeof(id));
-      return id;
     }
 
     /** Gives a set that is on the disk its name. */
@@ -83,9 +68,9 @@ namespace rift
       synchronize_directory(folder.path());
       synchronize_directory(output_directory);
     });
-    std::string bytes = to_bytes(id);
+    std::string bytes = object_to_bytes(id);
     communicator.broadcast(bytes);
-    return from_bytes(bytes);
+    return object_from_bytes<CheckpointFileId>(bytes);
   }
 
   CheckpointWriter::CheckpointWriter(const std::string      &output_directory,
@@ -146,8 +131,8 @@ namespace rift
       write_blocks(file);
       id = file.finish();
     });
-    for (const std::string &bytes : communicator.gather(to_bytes(id)))
-      manifest.ranks.push_back(from_bytes(bytes));
+    for (const std::string &bytes : communicator.gather(object_to_bytes(id)))
+      manifest.ranks.push_back(object_from_bytes<CheckpointFileId>(bytes));
   }
 
   std::string

@@ -1,9 +1,9 @@
 #include <rift/base/bytes.h>
+#include <rift/base/disjoint_sets.h>
 #include <rift/io/fragment_labels.h>
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 namespace rift
 {
@@ -11,35 +11,6 @@ namespace rift
   {
     /** Two labels of one piece. */
     using LabelPair = std::array<GlobalCellIndex, 2>;
-
-    /** Sets of numbers, each called by its smallest. */
-    class DisjointSets
-    {
-    public:
-      explicit DisjointSets(const std::size_t n)
-        : parent(n)
-      {
-        std::iota(parent.begin(), parent.end(), 0u);
-      }
-
-      std::uint32_t
-      find(std::uint32_t i)
-      {
-        while (parent[i] != i)
-          i = parent[i] = parent[parent[i]];
-        return i;
-      }
-
-      void
-      unite(const std::uint32_t i, const std::uint32_t j)
-      {
-        const std::uint32_t a = find(i), b = find(j);
-        parent[std::max(a, b)] = std::min(a, b);
-      }
-
-    private:
-      std::vector<std::uint32_t> parent;
-    };
 
     /**
      * Labels of all cells as far as this rank can tell: of a face between two
@@ -52,7 +23,7 @@ namespace rift
       for (FaceIndex face = 0; face < topology.faces.size(); ++face)
         {
           const CellIndex *cells = topology.faces[face].cells;
-          if (topology.face_states[face] != FaceState::broken &&
+          if (topology.face_states[face] < FaceState::failed &&
               (topology.owns_cell(cells[0]) || topology.owns_cell(cells[1])))
             sets.unite(cells[0], cells[1]);
         }
@@ -99,12 +70,7 @@ namespace rift
         [&](const int rank, const CellIndex cell, FaceIndex) {
           own[rank].push_back(labels[cell]);
         });
-      std::map<int, std::string> messages;
-      for (const auto &[rank, list] : own)
-        messages[rank] = to_bytes(list);
-      std::map<int, std::vector<GlobalCellIndex>> others;
-      for (const auto &[rank, bytes] : communicator.exchange(messages))
-        others[rank] = from_bytes<GlobalCellIndex>(bytes);
+      const auto others = communicator.exchange(own);
 
       std::vector<LabelPair>     pairs;
       std::map<int, std::size_t> next;
@@ -112,7 +78,7 @@ namespace rift
         topology,
         [&](const int rank, const CellIndex cell, const FaceIndex face) {
           const GlobalCellIndex other = others.at(rank).at(next[rank]++);
-          if (topology.face_states[face] != FaceState::broken)
+          if (topology.face_states[face] < FaceState::failed)
             pairs.push_back({{labels[cell], other}});
         });
       sort_unique(pairs);

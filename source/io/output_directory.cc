@@ -62,22 +62,6 @@ namespace rift
                          "Output / Directory or give --output.");
     }
 
-    void
-    create(const std::string &directory)
-    {
-      std::error_code error;
-      const auto      status = fs::status(directory, error);
-      if (fs::exists(status) && !fs::is_directory(status))
-        throw InputError("The output directory " + directory +
-                         " is a file. Choose another name in Output / "
-                         "Directory or with --output.");
-      fs::create_directories(directory, error);
-      if (error)
-        throw_disk_error("create the output directory",
-                         directory,
-                         error.value());
-    }
-
     /** That the scene of a user is not written over. */
     void
     check_parameters(const std::string &directory)
@@ -147,10 +131,24 @@ namespace rift
   }
 
   void
-  check_output_directory(const std::string &directory, const bool overwrite)
+  create_output_directory(const std::string &directory)
   {
     check_name(directory);
-    create(directory);
+    std::error_code error;
+    const auto      status = fs::status(directory, error);
+    if (fs::exists(status) && !fs::is_directory(status))
+      throw InputError("The output directory " + directory +
+                       " is a file. Choose another name in Output / "
+                       "Directory or with --output.");
+    fs::create_directories(directory, error);
+    if (error)
+      throw_disk_error("create the output directory", directory, error.value());
+  }
+
+  void
+  check_output_directory(const std::string &directory, const bool overwrite)
+  {
+    create_output_directory(directory);
     const auto results = find_results(directory);
     check_parameters(directory);
 

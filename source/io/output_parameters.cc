@@ -1,8 +1,11 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <rift/base/parameter_declarations.h>
+#include <rift/base/parameter_text.h>
 #include <rift/io/output_parameters.h>
+#include <rift/io/solution_fields.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace rift
@@ -11,31 +14,42 @@ namespace rift
   {
     const char *const section = "Output";
 
-    // The words of `Field`, each with what it stands for.
-    struct FieldWord
+    /** What a Probe can ask for, with the words for it: "velocity x". */
+    std::vector<std::pair<std::string, ProbeParameters::Component>>
+    probe_components()
     {
-      std::string            text;
-      ProbeParameters::Field field;
-      unsigned int           component;
-    };
-
-    std::vector<FieldWord>
-    field_words()
-    {
-      using Field = ProbeParameters::Field;
-      std::vector<FieldWord> result;
-      const auto             add = [&](const std::string              &name,
-                           const Field                     field,
-                           const std::vector<std::string> &components) {
-        for (unsigned int i = 0; i < components.size(); ++i)
-          result.push_back({name + " " + components[i], field, i});
-      };
-      add("displacement", Field::displacement, {"x", "y", "z"});
-      add("velocity", Field::velocity, {"x", "y", "z"});
-      add("stress", Field::stress, {"xx", "yy", "zz", "yz", "xz", "xy"});
-      result.push_back({"pressure", Field::pressure, 0});
-      add("force", Field::force, {"x", "y", "z"});
+      std::vector<std::pair<std::string, ProbeParameters::Component>> result;
+      for (const Field &field : known_fields())
+        for (std::size_t i = 0; i < field.components.size() &&
+                                field.location != FieldLocation::cohesive_face;
+             ++i)
+          result.emplace_back(
+            simplified(field.name + " " + field.components[i]),
+            ProbeParameters::Component{field.name,
+                                       field.unit,
+                                       field.location,
+                                       i});
       return result;
+    }
+
+    /** Names of the fields that solid.pvd and fracture.pvd can have. */
+    std::vector<std::string>
+    names_of_output_fields(const FieldUse use)
+    {
+      std::vector<std::string> names;
+      for (const Field &field : known_output_fields())
+        if (field.use == use && field.location != FieldLocation::material)
+          names.push_back(field.name);
+      return names;
+    }
+
+    std::vector<std::string>
+    names_of_output_fields()
+    {
+      auto       names = names_of_output_fields(FieldUse::by_default);
+      const auto more  = names_of_output_fields(FieldUse::on_request);
+      names.insert(names.end(), more.begin(), more.end());
+      return names;
     }
   } // namespace
 
@@ -59,6 +73,15 @@ namespace rift
                    defaults.history_interval,
                    "Time between two rows of probes.csv and energy.csv; 0: a "
                    "row for each time step. Units: s.");
+    prm.declare_entry(
+      "Fields",
+      "default",
+      dealii::Patterns::Anything(),
+      "What is in solid.pvd and fracture.pvd: names with commas between them. "
+      "\"default\" stands for " +
+        enumeration(names_of_output_fields(FieldUse::by_default), "and") +
+        ", \"all\" for these and " +
+        enumeration(names_of_output_fields(FieldUse::on_request), "and") + ".");
     prm.declare_entry("Overwrite",
                       "false",
                       dealii::Patterns::Bool(),
@@ -79,6 +102,7 @@ namespace rift
     result.directory         = prm.get("Directory");
     result.solution_interval = prm.get_double("Solution interval");
     result.history_interval  = prm.get_double("History interval");
+    result.fields.words      = split(prm.get("Fields"), ',');
     result.overwrite         = prm.get_bool("Overwrite");
     result.ranks_per_file = static_cast<int>(prm.get_integer("Ranks per file"));
     prm.leave_subsection();
@@ -97,6 +121,18 @@ namespace rift
         throw ParameterError(section,
                              name,
                              "this cannot be negative. Units: s.");
+    std::vector<std::string> names = names_of_output_fields();
+    names.insert(names.end(), {"default", "all"});
+    if (fields.words.empty())
+      throw ParameterError(section,
+                           "Fields",
+                           "at least one field is needed, or \"default\".");
+    for (const std::string &word : fields.words)
+      if (std::count(names.begin(), names.end(), word) == 0)
+        throw ParameterError(section,
+                             "Fields",
+                             "there is no field \"" + word + "\"." +
+                               suggestion(word, names));
   }
 
   void
@@ -105,8 +141,8 @@ namespace rift
   {
     namespace Patterns = dealii::Patterns;
     std::string words;
-    for (const FieldWord &word : field_words())
-      words += (words.empty() ? "" : "|") + word.text;
+    for (const auto &[text, component] : probe_components())
+      words += (words.empty() ? "" : "|") + text;
     prm.enter_subsection("Probe " + name);
     prm.declare_entry("Field",
                       "velocity x",
@@ -141,17 +177,14 @@ namespace rift
     ProbeParameters   result;
     result.name = name;
     prm.enter_subsection(probe);
-    for (const FieldWord &word : field_words())
-      if (word.text == prm.get("Field"))
-        {
-          result.field     = word.field;
-          result.component = word.component;
-        }
+    for (const auto &[text, component] : probe_components())
+      if (text == prm.get("Field"))
+        result.field = component;
     result.boundary = prm.get("Boundary");
     result.material = prm.get("Material");
     result.point    = get_vector(prm, "Point");
     prm.leave_subsection();
-    if (result.field == ProbeParameters::Field::force)
+    if (result.field.location == FieldLocation::material)
       {
         if (result.material.empty())
           throw ParameterError(probe,
@@ -170,7 +203,7 @@ namespace rift
   ProbeParameters::inert_entries() const
   {
     const std::string probe = "Probe " + name;
-    if (field == Field::force)
+    if (field.location == FieldLocation::material)
       return {{probe,
                {"Boundary", "Point"},
                {{probe, "Field"}},

@@ -8,22 +8,6 @@ namespace rift
 {
   namespace
   {
-    std::string
-    unit_of(const ProbeParameters::Field field)
-    {
-      switch (field)
-        {
-        case ProbeParameters::Field::displacement:
-          return "m";
-        case ProbeParameters::Field::velocity:
-          return "m/s";
-        case ProbeParameters::Field::force:
-          return "N";
-        default:
-          return "Pa";
-        }
-    }
-
     /** Shape functions of the corners of a cell at a point of the undeformed
      * body. */
     std::array<double, n_corners>
@@ -51,8 +35,7 @@ namespace rift
   {
     std::vector<Vector3<double>> velocity(state.n_nodes());
     for (std::size_t i = 0; i < velocity.size(); ++i)
-      velocity[i] = state.velocity[i].vector() +
-                    (.5 * time_step / state.mass[i]) * state.force[i].vector();
+      velocity[i] = velocity_at_step(state, time_step, i);
     return velocity;
   }
 
@@ -63,9 +46,8 @@ namespace rift
                const Surface           &surface,
                const Communicator      &communicator)
     : parameters(the_parameters)
-    , header_text(parameters.name + " [" + unit_of(parameters.field) + "]")
   {
-    if (parameters.field == ProbeParameters::Field::force)
+    if (parameters.field.location == FieldLocation::material)
       return;
     if (parameters.boundary.empty())
       find_point(topology, reference, state, communicator);
@@ -143,55 +125,45 @@ namespace rift
   }
 
   ExactSum
-  Probe::sum(const Topology                     &topology,
-             const InternalForce                &internal_force,
-             const RigidBodies                  *rigid_bodies,
-             const State                        &state,
-             const std::vector<Vector3<double>> &velocity) const
+  Probe::sum(const Topology &topology, const FieldList &fields) const
   {
-    using Field = ProbeParameters::Field;
-
-    if (parameters.field == Field::force)
-      return rigid_bodies->force(parameters.material)[parameters.component];
-    ExactSum result;
+    const auto &[name, unit, location, component] = parameters.field;
+    const Field *field                            = fields.find(name, location);
+    if (field == nullptr)
+      throw InputError("subsection \"Probe " + parameters.name +
+                       "\": nothing in this scene has the field \"" + name +
+                       "\".");
+    if (location == FieldLocation::material)
+      return field->sum(parameters.material, component);
+    ExactSum              result;
+    std::array<double, 6> values;
     for (const Sample &sample : samples)
-      if (parameters.field == Field::stress ||
-          parameters.field == Field::pressure)
+      if (location == FieldLocation::cell)
         {
-          // Constant in the cell.
           double weight = 0;
           for (const double w : sample.weights)
             weight += w;
-          const auto s = internal_force.cauchy_stress(state, sample.cell);
-          result.add(weight * (parameters.field == Field::stress ?
-                                 s[parameters.component] :
-                                 -(s[0] + s[1] + s[2]) / 3));
+          field->values(sample.cell, values.data());
+          result.add(weight * values[component]);
         }
       else
         for (unsigned int c = 0; c < n_corners; ++c)
           {
-            const NodeIndex node = topology.node(sample.cell, c);
-            result.add(sample.weights[c] *
-                       (parameters.field == Field::velocity ?
-                          velocity[node][parameters.component] :
-                          state.displacement[node][parameters.component]));
+            field->values(topology.node(sample.cell, c), values.data());
+            result.add(sample.weights[c] * values[component]);
           }
     return result;
   }
 
   std::vector<double>
-  probe_values(const std::vector<Probe>           &probes,
-               const Topology                     &topology,
-               const InternalForce                &internal_force,
-               const RigidBodies                  *rigid_bodies,
-               const State                        &state,
-               const std::vector<Vector3<double>> &velocity,
-               const Communicator                 &communicator)
+  probe_values(const std::vector<Probe> &probes,
+               const Topology           &topology,
+               const FieldList          &fields,
+               const Communicator       &communicator)
   {
     std::vector<ExactSum> sums;
     for (const Probe &probe : probes)
-      sums.push_back(
-        probe.sum(topology, internal_force, rigid_bodies, state, velocity));
+      sums.push_back(probe.sum(topology, fields));
     std::vector<ExactSum *> pointers;
     for (ExactSum &sum : sums)
       pointers.push_back(&sum);

@@ -1,12 +1,53 @@
 #include <rift/io/solution_fields.h>
+#include <rift/rigid/rigid_bodies.h>
+#include <rift/solid/internal_force.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstdio>
+#include <initializer_list>
 #include <xxhash.h>
 
 namespace rift
 {
+  FieldList
+  known_fields()
+  {
+    FieldList list;
+    declare_nodal_fields(list);
+    InternalForce::declare_fields(list, nullptr);
+    CohesiveForce::declare_fields(list, nullptr);
+    RigidBodies::declare_fields(list, nullptr);
+    return list;
+  }
+
+  void
+  declare_labels(FieldList                        &list,
+                 const Topology                   *topology,
+                 const std::vector<std::uint32_t> *fragments)
+  {
+    list.add("material",
+             "",
+             FieldLocation::cell,
+             [topology](const std::size_t cell) {
+               return static_cast<double>(topology->material(cell));
+             });
+    list.add("fragment",
+             "",
+             FieldLocation::cell,
+             [fragments](const std::size_t cell) {
+               return static_cast<double>((*fragments)[cell]);
+             });
+  }
+
+  FieldList
+  known_output_fields()
+  {
+    FieldList list = known_fields();
+    declare_labels(list, nullptr, nullptr);
+    return list;
+  }
+
   namespace
   {
     /** Nodes of the cells that this rank owns, ascending. */
@@ -23,136 +64,135 @@ namespace rift
           nodes.push_back(node);
       return nodes;
     }
+
+    /** The wanted fields of a place, while their values are collected. */
+    class Columns
+    {
+    public:
+      Columns(const FieldList      &list,
+              const FieldLocation   location,
+              const FieldSelection &wanted)
+      {
+        for (const Field &field : list)
+          if (field.location == location && wanted.includes(field))
+            {
+              const std::size_t n = field.components.size();
+              fields.push_back(&field);
+              columns.push_back({title(field.name, field.unit),
+                                 static_cast<unsigned int>(n),
+                                 {},
+                                 n == dim && field.components[0] != "x" ?
+                                   field.components :
+                                   std::vector<std::string>()});
+            }
+      }
+
+      /** Appends the means of the values for these items. */
+      void
+      append(const std::initializer_list<std::size_t> items)
+      {
+        for (std::size_t i = 0; i < fields.size(); ++i)
+          {
+            const std::size_t     n = fields[i]->components.size();
+            std::array<double, 6> sum{}, value{};
+            for (const std::size_t item : items)
+              {
+                fields[i]->values(item, value.data());
+                for (std::size_t c = 0; c < n; ++c)
+                  sum[c] += value[c];
+              }
+            for (std::size_t c = 0; c < n; ++c)
+              columns[i].values.push_back(
+                static_cast<float>(sum[c] / items.size()));
+          }
+      }
+
+      std::vector<OutputField>
+      take()
+      {
+        return std::move(columns);
+      }
+
+    private:
+      std::vector<const Field *> fields;
+      std::vector<OutputField>   columns;
+    };
   } // namespace
 
   Solution
-  solid_solution(const Topology                     &topology,
-                 const State                        &state,
-                 const InternalForce                &internal_force,
-                 const std::vector<Vector3<double>> &velocity,
-                 const std::vector<std::uint32_t>   &fragments)
+  solid_solution(const Topology       &topology,
+                 const FieldList      &fields,
+                 const FieldSelection &wanted)
   {
     Solution               solution;
-    OutputField            displacement{"displacement [m]", 3, {}};
-    OutputField            speed{"velocity [m/s]", 3, {}};
+    Columns                nodal(fields, FieldLocation::node, wanted);
     std::vector<NodeIndex> point_of_node(topology.n_nodes(), invalid_index);
     for (const NodeIndex node : nodes_of_owned_cells(topology))
       {
         point_of_node[node] = static_cast<NodeIndex>(solution.points.size());
-        solution.points.push_back(state.position(node));
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            displacement.values.push_back(
-              static_cast<float>(state.displacement[node][d]));
-            speed.values.push_back(static_cast<float>(velocity[node][d]));
-          }
+        solution.points.push_back(fields.state()->reference[node].vector());
+        nodal.append({node});
       }
 
-    OutputField stress{"stress [Pa]", 6, {}};
-    OutputField material{"material", 1, {}};
-    OutputField fragment{"fragment", 1, {}};
+    Columns of_cells(fields, FieldLocation::cell, wanted);
     for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
       {
         if (!topology.owns_cell(cell))
           continue;
         for (unsigned int c = 0; c < n_corners; ++c)
           solution.cells.push_back(point_of_node[topology.node(cell, c)]);
-        for (const double s : internal_force.cauchy_stress(state, cell))
-          stress.values.push_back(static_cast<float>(s));
-        material.values.push_back(topology.material(cell));
-        fragment.values.push_back(static_cast<float>(fragments[cell]));
+        of_cells.append({cell});
       }
-    solution.point_data = {displacement, speed};
-    solution.cell_data  = {stress, material, fragment};
+    solution.point_data = nodal.take();
+    solution.cell_data  = of_cells.take();
     return solution;
   }
 
   namespace
   {
-    /** Means over the Gauss points of one cohesive face. */
-    struct FaceMeans
+    /** The displacement alone, if it is wanted at all. */
+    FieldSelection
+    displacement_of(const FieldList &fields, const FieldSelection &wanted)
     {
-      double damage = 0, opening = 0, slip = 0, normal = 0, shear = 0;
-      double opening_damage = 0, slip_damage = 0;
-
-      /** Share of sliding in the damage, from 0 to 1. */
-      double
-      mode() const
-      {
-        const double total = opening_damage + slip_damage;
-        return total > 0 ? slip_damage / total : 0;
-      }
-    };
-
-    FaceMeans
-    face_means(const State         &state,
-               const CohesiveForce &force,
-               const std::size_t    index)
-    {
-      static const FaceQuadrature quadrature;
-      FaceMeans                   means;
-      for (unsigned int q = 0; q < n_face_points; ++q)
-        {
-          const double weight = quadrature.weight[q];
-          const auto   now    = force.point_state(state, index, q);
-          means.damage +=
-            weight * std::min(1., std::hypot(now.opening, now.slip));
-          means.opening_damage += weight * now.opening * now.opening;
-          means.slip_damage += weight * now.slip * now.slip;
-          means.opening += weight * now.jump[0];
-          means.slip += weight * std::hypot(now.jump[1], now.jump[2]);
-          means.normal += weight * now.traction[0];
-          means.shear += weight * std::hypot(now.traction[1], now.traction[2]);
-        }
-      return means;
+      const Field *field = fields.find("displacement", FieldLocation::node);
+      return field != nullptr && wanted.includes(*field) ?
+               FieldSelection{{field->name}} :
+               FieldSelection{{}};
     }
   } // namespace
 
   Solution
-  fracture_solution(const Topology      &topology,
-                    const State         &state,
-                    const CohesiveForce &cohesive_force)
+  fracture_solution(const Topology       &topology,
+                    const CohesiveForce  &cohesive_force,
+                    const FieldList      &fields,
+                    const FieldSelection &wanted)
   {
     Solution solution;
-    solution.nodes_per_cell              = 3;
-    const std::vector<std::string> names = {"damage",
-                                            "mode",
-                                            "opening [m]",
-                                            "slip [m]",
-                                            "normal traction [Pa]",
-                                            "shear traction [Pa]",
-                                            "time of insertion [s]",
-                                            "time of failure [s]"};
-    for (const std::string &name : names)
-      solution.cell_data.push_back({name, 1, {}});
+    solution.nodes_per_cell = 3;
+    Columns nodal(fields, FieldLocation::node, displacement_of(fields, wanted));
+    Columns of_faces(fields, FieldLocation::cohesive_face, wanted);
 
     const CohesiveFaces &faces = cohesive_force.faces();
     for (std::size_t i = 0; i < faces.size(); ++i)
       {
         if (!topology.owns_face(faces.infos[i].face) ||
-            !cohesive_force.has_opened(i))
+            !cohesive_force.faces().has_opened(i))
           continue;
         const CohesiveBatch &batch = faces.batches[i / batch_size];
         for (unsigned int c = 0; c < 3; ++c)
           {
+            const NodeIndex minus = batch.minus[c][i % batch_size];
+            const NodeIndex plus  = batch.plus[c][i % batch_size];
             solution.cells.push_back(
               static_cast<NodeIndex>(solution.points.size()));
             solution.points.push_back(
-              .5 * (state.position(batch.minus[c][i % batch_size]) +
-                    state.position(batch.plus[c][i % batch_size])));
+              fields.state()->reference[minus].vector());
+            nodal.append({minus, plus});
           }
-        const FaceMeans means    = face_means(state, cohesive_force, i);
-        const double    values[] = {means.damage,
-                                    means.mode(),
-                                    means.opening,
-                                    means.slip,
-                                    means.normal,
-                                    means.shear,
-                                    faces.infos[i].start_time,
-                                    faces.infos[i].failure_time};
-        for (std::size_t k = 0; k < names.size(); ++k)
-          solution.cell_data[k].values.push_back(static_cast<float>(values[k]));
+        of_faces.append({i});
       }
+    solution.point_data = nodal.take();
+    solution.cell_data  = of_faces.take();
     return solution;
   }
 

@@ -23,7 +23,10 @@ namespace rift
   write_summary(const std::string &path, const Summary &summary)
   {
     Json json;
-    json["version"]                  = summary.version;
+    json["version"]   = summary.version;
+    json["completed"] = summary.stopped_by.empty();
+    if (!summary.stopped_by.empty())
+      json["stopped_by"] = summary.stopped_by;
     json["cells"]                    = summary.cells;
     json["nodes_initial"]            = summary.nodes_initial;
     json["nodes_final"]              = summary.nodes_final;

@@ -185,9 +185,12 @@ namespace rift
   void
   VtuPiece::add_field(const OutputField &field)
   {
-    const std::string attributes = "Name=" + quote(field.name) +
-                                   " NumberOfComponents=\"" +
-                                   std::to_string(field.n_components) + '"';
+    std::string attributes = "Name=" + quote(field.name) +
+                             " NumberOfComponents=\"" +
+                             std::to_string(field.n_components) + '"';
+    for (std::size_t c = 0; c < field.components.size(); ++c)
+      attributes +=
+        " ComponentName" + std::to_string(c) + "=" + quote(field.components[c]);
     if (field.n_components < 6)
       {
         add_array("Float32",

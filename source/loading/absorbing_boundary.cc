@@ -4,11 +4,13 @@
 
 namespace rift
 {
-  AbsorbingBoundary::AbsorbingBoundary(const Topology          &topology,
+  AbsorbingBoundary::AbsorbingBoundary(const std::string       &name,
+                                       const Topology          &topology,
                                        const ReferenceCellData &reference,
                                        Surface                  surface,
                                        Impedance                impedance)
-    : topology(topology)
+    : archive_name("absorbing " + name)
+    , topology(topology)
     , reference(reference)
     , surface(std::move(surface))
     , impedance(std::move(impedance))

@@ -103,25 +103,4 @@ namespace rift
                            "one, or remove the subsection: without it the "
                            "surface is free.");
   }
-
-  void
-  BodyForceParameters::declare(dealii::ParameterHandler &prm)
-  {
-    prm.enter_subsection("Body force");
-    declare_vector(prm,
-                   "Gravity",
-                   BodyForceParameters().gravity,
-                   "Acceleration of gravity along x, y, z. Units: m/s^2.");
-    prm.leave_subsection();
-  }
-
-  BodyForceParameters
-  BodyForceParameters::parse(dealii::ParameterHandler &prm)
-  {
-    BodyForceParameters result;
-    prm.enter_subsection("Body force");
-    result.gravity = get_vector(prm, "Gravity");
-    prm.leave_subsection();
-    return result;
-  }
 } // namespace rift

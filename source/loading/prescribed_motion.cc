@@ -52,10 +52,10 @@ namespace rift
   }
 
   std::optional<double>
-  PrescribedMotion::acceleration(const State       &state,
-                                 const double       time_step,
-                                 const NodeIndex    node,
-                                 const unsigned int component) const
+  PrescribedMotion::prescribed_acceleration(const State       &state,
+                                            const double       time_step,
+                                            const NodeIndex    node,
+                                            const unsigned int component) const
   {
     if (!((prescribed_components[node] >> component) & 1))
       return {};

@@ -22,6 +22,7 @@ namespace rift
                            Surface                   surface,
                            const BoundaryParameters &parameters)
     : topology(topology)
+    , archive_name("load on " + parameters.name)
     , surface(std::move(surface))
     , pressure(
         make_function(parameters.pressure, parameters.name, "Pressure", "Pa"))

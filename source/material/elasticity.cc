@@ -2,67 +2,38 @@
 
 namespace rift
 {
-  namespace
+  StiffnessMatrix
+  IsotropicElasticity::stiffness(const MaterialParameters &p)
   {
-    IsotropicElasticity
-    make_isotropic(const MaterialParameters &p)
-    {
-      const double e = p.youngs_modulus, nu = p.poissons_ratio;
-      return {e * nu / ((1 + nu) * (1 - 2 * nu)), e / (2 * (1 + nu))};
-    }
-
-    AnisotropicElasticity
-    make_anisotropic(const MaterialParameters &p)
-    {
-      AnisotropicElasticity law{
-        rotate_stiffness(stiffness_in_material_axes(p),
-                         material_axes(p.axis_1, p.axis_2))};
-      // The law sums over the six components of a strain, so that each shear
-      // component stands for two.
-      for (auto &row : law.stiffness)
-        for (unsigned int j = 3; j < 6; ++j)
-          row[j] *= 2;
-      return law;
-    }
-  } // namespace
+    return stiffness_matrix(make(p));
+  }
 
   StiffnessMatrix
   isotropic_stiffness(const MaterialParameters &p)
   {
-    return stiffness_matrix(make_isotropic(p));
+    return IsotropicElasticity::stiffness(p);
   }
 
   StiffnessMatrix
   stiffness_in_material_axes(const MaterialParameters &p)
   {
-    StiffnessMatrix stiffness;
-    unsigned int    k = 0;
-    switch (p.elasticity)
-      {
-      case MaterialParameters::Elasticity::anisotropic:
-        for (unsigned int i = 0; i < 6; ++i)
-          for (unsigned int j = i; j < 6; ++j, ++k)
-            stiffness[i][j] = stiffness[j][i] = p.stiffness[k];
-        return stiffness;
-      case MaterialParameters::Elasticity::microcracked:
-        // What leaves no stiffness has been refused before.
-        return stiffness_with_cracks(isotropic_stiffness(p),
-                                     p.crack_groups,
-                                     p.crack_scheme)
-          .value();
-      default:
-        return isotropic_stiffness(p);
-      }
+    StiffnessMatrix result{};
+    for_each_elastic_law([&](const auto &law) {
+      if (p.elasticity == law.name)
+        result = law.stiffness(p);
+    });
+    return result;
   }
 
   Elasticity
   make_elasticity(const MaterialParameters &p)
   {
-    if (p.elasticity == MaterialParameters::Elasticity::isotropic)
-      return make_isotropic(p);
-    if (p.is_rigid())
-      return RigidElasticity();
-    return make_anisotropic(p);
+    Elasticity result;
+    for_each_elastic_law([&](const auto &law) {
+      if (p.elasticity == law.name)
+        result = law.make(p);
+    });
+    return result;
   }
 
   StiffnessMatrix

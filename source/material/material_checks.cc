@@ -35,16 +35,13 @@ namespace rift
     // The stiffness in Kelvin's form, in which stress and strain are vectors
     // with the same scalar product and eigenvalues do not depend on the axes.
     Matrix6
-    kelvin_matrix(const std::array<double, 21> &stiffness)
+    kelvin_matrix(const StiffnessMatrix &stiffness)
     {
-      Matrix6      result;
-      unsigned int k = 0;
+      Matrix6 result;
       for (unsigned int i = 0; i < 6; ++i)
-        for (unsigned int j = i; j < 6; ++j, ++k)
-          {
-            const double factor = (i < 3 ? 1 : M_SQRT2) * (j < 3 ? 1 : M_SQRT2);
-            result[i][j] = result[j][i] = factor * stiffness[k];
-          }
+        for (unsigned int j = 0; j < 6; ++j)
+          result[i][j] =
+            (i < 3 ? 1 : M_SQRT2) * (j < 3 ? 1 : M_SQRT2) * stiffness[i][j];
       return result;
     }
 
@@ -156,24 +153,53 @@ namespace rift
         refuse("Axis 2", "this is parallel to Axis 1.");
     }
 
+    /** @param name the entry to blame. */
     void
-    check_anisotropic(const MaterialParameters &material, const Refuse &refuse)
+    check_stiffness(const MaterialParameters &material,
+                    const std::string        &name,
+                    const Refuse             &refuse)
     {
-      const Matrix6 kelvin  = kelvin_matrix(material.stiffness);
-      double        largest = 0;
+      const Matrix6 kelvin =
+        kelvin_matrix(stiffness_in_material_axes(material));
+      double largest = 0;
       for (unsigned int i = 0; i < 6; ++i)
         largest = std::max(largest, std::abs(kelvin[i][i]));
       const double smallest = smallest_eigenvalue(kelvin);
       // Round-off alone can make a singular stiffness look positive.
       if (!(smallest > 1e-12 * largest))
-        refuse("Stiffness",
+        refuse(name,
                "the stiffness is not positive definite, its smallest "
                "eigenvalue is " +
-                 short_text(smallest) +
-                 " Pa. Give the upper triangle row by row: 11, 12, 13, 14, "
-                 "15, 16, 22, 23, ... with 4, 5, 6 for 23, 13, 12.");
+                 short_text(smallest) + " Pa." +
+                 (name == "Stiffness" ?
+                    " Give the upper triangle row by row: 11, 12, 13, 14, "
+                    "15, 16, 22, 23, ... with 4, 5, 6 for 23, 13, 12." :
+                    " Look at all constants of this law."));
       for (unsigned int i = 0; i < 3; ++i)
-        check_wave_speed(material, kelvin[i][i], "Stiffness", refuse);
+        check_wave_speed(material, kelvin[i][i], name, refuse);
+    }
+
+    /** Entries that the law of a material uses, its own ones first. */
+    std::vector<std::string>
+    used_entries(const MaterialParameters &material)
+    {
+      std::vector<std::string> result;
+      for_each_elastic_law([&](const auto &law) {
+        if (material.elasticity != law.name)
+          return;
+        for (const ElasticConstant &constant : law.constants())
+          result.push_back(constant.name);
+        for (const std::string &entry : law.entries())
+          result.push_back(entry);
+      });
+      return result;
+    }
+
+    bool
+    uses(const MaterialParameters &material, const std::string &entry)
+    {
+      const auto entries = used_entries(material);
+      return std::count(entries.begin(), entries.end(), entry) > 0;
     }
 
     /** The groups, and that they leave a stiffness. */
@@ -221,10 +247,12 @@ namespace rift
     double
     typical_modulus(const MaterialParameters &material)
     {
-      if (material.elasticity != MaterialParameters::Elasticity::anisotropic)
+      if (uses(material, "Young's modulus"))
         return material.youngs_modulus;
-      return *std::max_element(material.stiffness.begin(),
-                               material.stiffness.end());
+      double largest = 0;
+      for (const auto &row : stiffness_in_material_axes(material))
+        largest = std::max(largest, *std::max_element(row.begin(), row.end()));
+      return largest;
     }
 
     /** Strengths of solids are 1e-5 to 1e-1 of their moduli. */
@@ -306,13 +334,13 @@ namespace rift
                  " is prescribed from the start on. Set this component to 0.");
     if (is_rigid())
       return;
-    if (elasticity == Elasticity::anisotropic)
-      check_anisotropic(*this, refuse);
-    else
+    if (uses(*this, "Young's modulus"))
       check_isotropic(*this, refuse);
-    if (elasticity == Elasticity::microcracked)
+    else
+      check_stiffness(*this, used_entries(*this).front(), refuse);
+    if (uses(*this, "Crack groups"))
       check_cracks(*this, refuse);
-    if (elasticity != Elasticity::isotropic || has_directional_strength())
+    if (uses(*this, "Axis 1") || has_directional_strength())
       check_axes(*this, refuse);
     check_strength(*this, refuse);
   }

@@ -3,8 +3,9 @@
 #include <rift/base/number_text.h>
 #include <rift/base/parameter_declarations.h>
 #include <rift/base/parameter_text.h>
-#include <rift/material/material_parameters.h>
+#include <rift/material/elasticity.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace rift
@@ -109,13 +110,15 @@ namespace rift
     declare_elasticity(ParameterHandler &prm)
     {
       const MaterialParameters defaults;
-      prm.declare_entry(
-        "Elasticity",
-        "isotropic",
-        Patterns::Selection("isotropic|anisotropic|microcracked|rigid"),
-        "Isotropic with two constants, anisotropic with 21, microcracked: "
-        "what groups of microcracks leave of an isotropic one, or rigid: "
-        "does not deform and acts on others by contact alone.");
+      std::string              names, meanings;
+      for_each_elastic_law([&](const auto &law) {
+        names += (names.empty() ? "" : "|") + std::string(law.name);
+        meanings += (meanings.empty() ? "" : ", ") + std::string(law.meaning);
+      });
+      prm.declare_entry("Elasticity",
+                        defaults.elasticity,
+                        Patterns::Selection(names),
+                        "The elastic law: " + meanings + ".");
       declare_number(prm,
                      "Young's modulus",
                      defaults.youngs_modulus,
@@ -159,6 +162,45 @@ namespace rift
                      defaults.axis_2,
                      "Material axis 2; what it has along axis 1 is taken "
                      "away. Axis 3 is their vector product. Units: 1.");
+      for_each_elastic_law([&](const auto &law) {
+        for (const ElasticConstant &constant : law.constants())
+          declare_number(prm, constant.name, 0, constant.documentation);
+      });
+    }
+
+    /** "on an isotropic material" */
+    std::string
+    on_material(const std::string &elasticity)
+    {
+      const bool is_vowel =
+        std::string("aeiou").find(elasticity[0]) != std::string::npos;
+      return std::string("on ") + (is_vowel ? "an " : "a ") + elasticity +
+             " material";
+    }
+
+    /** The entries of elastic laws that this one does not use. */
+    std::vector<std::string>
+    entries_of_other_laws(const std::string &elasticity)
+    {
+      std::vector<std::string> used, others;
+      const auto               entries_of = [](const auto &law) {
+        std::vector<std::string> names = law.entries();
+        for (const ElasticConstant &constant : law.constants())
+          names.push_back(constant.name);
+        return names;
+      };
+      for_each_elastic_law([&](const auto &law) {
+        if (elasticity == law.name)
+          used = entries_of(law);
+      });
+      for_each_elastic_law([&](const auto &law) {
+        for (const std::string &entry : entries_of(law))
+          if (std::count(used.begin(), used.end(), entry) +
+                std::count(others.begin(), others.end(), entry) ==
+              0)
+            others.push_back(entry);
+      });
+      return others;
     }
 
     void
@@ -252,12 +294,12 @@ namespace rift
     MaterialParameters result;
     result.name = name;
     prm.enter_subsection(section_of(name));
-    result.density        = prm.get_double("Density");
-    const std::string law = prm.get("Elasticity");
-    result.elasticity     = law == "rigid"        ? Elasticity::rigid :
-                            law == "microcracked" ? Elasticity::microcracked :
-                            law == "anisotropic"  ? Elasticity::anisotropic :
-                                                    Elasticity::isotropic;
+    result.density    = prm.get_double("Density");
+    result.elasticity = prm.get("Elasticity");
+    for_each_elastic_law([&](const auto &law) {
+      for (const ElasticConstant &constant : law.constants())
+        result.elastic_constants[constant.name] = prm.get_double(constant.name);
+    });
     for (const std::string &group : split(prm.get("Crack groups"), ','))
       result.crack_groups.push_back(read_crack_group(group, section_of(name)));
     for (const auto &[word, scheme] : scheme_words)
@@ -311,44 +353,31 @@ namespace rift
                                                "Fracture energy I",
                                                "Fracture energy II",
                                                "Weibull modulus"};
-    std::string                    reason   = "on an isotropic material";
-    switch (elasticity)
-      {
-      case Elasticity::isotropic:
-        add({"Stiffness"}, "Elasticity", reason);
-        if (!breakable || !has_directional_strength())
-          result.push_back({section,
-                            {"Axis 1", "Axis 2"},
-                            {{section, "Elasticity"},
-                             {section, "Breakable"},
-                             {section, "Tensile strength"},
-                             {section, "Cohesion"},
-                             {section, "Fracture energy I"},
-                             {section, "Fracture energy II"}},
-                            reason + " whose strengths do not depend on the "
-                                     "direction"});
-        break;
-      case Elasticity::anisotropic:
-        reason = "on an anisotropic material";
-        add({"Young's modulus", "Poisson's ratio"}, "Elasticity", reason);
-        break;
-      case Elasticity::microcracked:
-        reason = "on a microcracked material";
-        add({"Stiffness"}, "Elasticity", reason);
-        break;
-      case Elasticity::rigid:
-        reason = "on a rigid material";
-        add({"Young's modulus",
-             "Poisson's ratio",
-             "Stiffness",
-             "Axis 1",
-             "Axis 2"},
-            "Elasticity",
-            reason);
-        break;
-      }
-    if (elasticity != Elasticity::microcracked)
-      add({"Crack groups", "Crack scheme"}, "Elasticity", reason);
+    const std::string              reason   = on_material(elasticity);
+    auto                           others   = entries_of_other_laws(elasticity);
+    // Strengths may need axes where elasticity does not.
+    const auto axes =
+      std::remove_if(others.begin(),
+                     others.end(),
+                     [](const std::string &entry) {
+                       return entry == "Axis 1" || entry == "Axis 2";
+                     });
+    const bool needs_no_axes = axes != others.end();
+    others.erase(axes, others.end());
+    add(others, "Elasticity", reason);
+    if (needs_no_axes && is_rigid())
+      add({"Axis 1", "Axis 2"}, "Elasticity", reason);
+    else if (needs_no_axes && !(breakable && has_directional_strength()))
+      result.push_back({section,
+                        {"Axis 1", "Axis 2"},
+                        {{section, "Elasticity"},
+                         {section, "Breakable"},
+                         {section, "Tensile strength"},
+                         {section, "Cohesion"},
+                         {section, "Fracture energy I"},
+                         {section, "Fracture energy II"}},
+                        reason + " whose strengths do not depend on the "
+                                 "direction"});
     if (is_rigid())
       {
         add(strength, "Elasticity", reason);

@@ -1,3 +1,4 @@
+#include <rift/base/checked_cast.h>
 #include <rift/base/exceptions.h>
 #include <rift/base/parameter_text.h>
 #include <rift/mesh/face_table.h>
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <tuple>
 #include <unordered_map>
 
@@ -28,6 +30,7 @@ namespace rift
     {
       std::vector<std::string>               names;
       std::unordered_map<int, std::uint16_t> index_of_tag;
+      std::map<std::string, int>             tag_of_name;
     };
 
     // The elements of one geometric entity, all of one type.
@@ -37,6 +40,33 @@ namespace rift
       int  type;
       Tags tags, nodes;
     };
+
+    // Adds the name of a group, with its blanks as those of a scene: none at
+    // the ends and no two in a row.
+    void
+    add_name(Names             &names,
+             const int          dimension,
+             const int          tag,
+             const std::string &name,
+             const std::string &source)
+    {
+      const std::string simple      = simplified(name);
+      const auto [other, is_unique] = names.tag_of_name.emplace(simple, tag);
+      if (!is_unique)
+        throw InputError(
+          fmt::format("{}: the physical {}s {} and {} have the same name '{}'; "
+                      "blanks at its ends and doubled ones do not count. "
+                      "Rename one of them, or make one group of both.",
+                      source,
+                      kinds[dimension],
+                      other->second,
+                      tag,
+                      simple));
+      names.index_of_tag[tag] =
+        checked_cast<std::uint16_t>(names.names.size(),
+                                    "physical groups of one dimension");
+      names.names.push_back(simple);
+    }
 
     Names
     read_names(const int dimension, const std::string &source)
@@ -50,7 +80,7 @@ namespace rift
         {
           std::string name;
           gmsh::model::getPhysicalName(dimension, group.second, name);
-          if (name.empty())
+          if (simplified(name).empty())
             throw InputError(
               fmt::format("{}: unnamed region: physical {} {} has no name of "
                           "its own. Give it one in "
@@ -60,9 +90,7 @@ namespace rift
                           group.second,
                           dimension == 3 ? "Volume" : "Surface",
                           group.second));
-          result.index_of_tag[group.second] =
-            static_cast<std::uint16_t>(result.names.size());
-          result.names.push_back(name);
+          add_name(result, dimension, group.second, name, source);
         }
       return result;
     }
@@ -157,6 +185,7 @@ namespace rift
         std::sort(tags.begin(), tags.end());
         tags.erase(std::unique(tags.begin(), tags.end()), tags.end());
         tags.shrink_to_fit();
+        checked_cast<VertexIndex>(tags.size(), "nodes of the mesh");
 
         index_of_tag.reserve(tags.size());
         for (std::size_t i = 0; i < tags.size(); ++i)
@@ -359,8 +388,13 @@ namespace rift
         fmt::format("{}: there are no cells. Define a volume, and write the "
                     "3-D mesh, not the 2-D one.",
                     source));
+    std::size_t n_cells = 0;
     for (const auto &elements : volumes)
-      check_type(elements, tetrahedron, source);
+      {
+        check_type(elements, tetrahedron, source);
+        n_cells += elements.tags.size();
+      }
+    checked_cast<GlobalCellIndex>(n_cells, "cells of the mesh");
 
     MeshData mesh;
     mesh.source = source;

@@ -1,3 +1,4 @@
+#include <rift/base/bytes.h>
 #include <rift/mesh/mesh_buffer.h>
 
 #include <cstring>
@@ -17,10 +18,9 @@ namespace rift
       {
         using Value            = typename Container::value_type;
         const std::size_t size = data.size();
-        bytes.append(reinterpret_cast<const char *>(&size), sizeof(size));
+        append(bytes, &size, 1);
         if constexpr (std::is_trivially_copyable<Value>::value)
-          bytes.append(reinterpret_cast<const char *>(data.data()),
-                       size * sizeof(Value));
+          append(bytes, data.data(), size);
         else
           for (const auto &value : data)
             (*this)(value);

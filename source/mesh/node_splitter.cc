@@ -1,31 +1,24 @@
+#include <rift/base/disjoint_sets.h>
 #include <rift/mesh/mesh_data.h>
 #include <rift/mesh/node_splitter.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace rift
 {
   namespace
   {
     /**
-     * For each of `cells`, which all use the node at `vertex`, the position of
-     * the first cell of its component.
+     * The components of `cells`, which all use the node at `vertex`, by their
+     * positions in this list.
      */
-    std::vector<std::size_t>
+    DisjointSets
     find_components(const Topology               &topology,
                     const std::vector<CellIndex> &cells,
                     const VertexIndex             vertex)
     {
-      std::vector<std::size_t> root(cells.size());
-      std::iota(root.begin(), root.end(), std::size_t{0});
-      const auto find_root = [&](std::size_t i) {
-        while (root[i] != i)
-          i = root[i] = root[root[i]];
-        return i;
-      };
-
-      for (std::size_t i = 0; i < cells.size(); ++i)
+      DisjointSets sets(cells.size());
+      for (std::uint32_t i = 0; i < cells.size(); ++i)
         {
           const unsigned int corner =
             topology.corner_at_vertex(cells[i], vertex);
@@ -38,14 +31,10 @@ namespace rift
               const CellIndex other = topology.neighbour(face, cells[i]);
               const auto      position =
                 std::lower_bound(cells.begin(), cells.end(), other);
-              const std::size_t a  = find_root(i);
-              const std::size_t b  = find_root(position - cells.begin());
-              root[std::max(a, b)] = std::min(a, b);
+              sets.unite(i, position - cells.begin());
             }
         }
-      for (std::size_t i = 0; i < cells.size(); ++i)
-        root[i] = find_root(i);
-      return root;
+      return sets;
     }
 
     /** Gives each component of cells around a node a node of its own. */
@@ -61,13 +50,14 @@ namespace rift
             node)
           cells.push_back(*cell);
 
-      const auto root = find_components(topology, cells, vertex);
+      DisjointSets components = find_components(topology, cells, vertex);
 
       NodeSplit              split;
       std::vector<NodeIndex> component_node(cells.size());
-      for (std::size_t i = 0; i < cells.size(); ++i)
+      for (std::uint32_t i = 0; i < cells.size(); ++i)
         {
-          if (root[i] == i)
+          const std::uint32_t first = components.find(i);
+          if (first == i)
             {
               component_node[i] = node;
               if (i > 0)
@@ -81,7 +71,7 @@ namespace rift
           const unsigned int corner =
             topology.corner_at_vertex(cells[i], vertex);
           topology.batches[cells[i] / batch_size]
-            .corner[corner][cells[i] % batch_size] = component_node[root[i]];
+            .corner[corner][cells[i] % batch_size] = component_node[first];
         }
       return split;
     }
@@ -93,7 +83,7 @@ namespace rift
     std::vector<NodeIndex> affected;
     for (const FaceIndex face : cut_faces)
       {
-        topology.face_states[face] = FaceState::cohesive;
+        topology.face_states[face] = FaceState::cut;
         const Face &f              = topology.faces[face];
         for (const unsigned int corner : face_corners[f.local_faces[0]])
           {
@@ -135,7 +125,7 @@ namespace rift
         const auto &cells = topology.faces[face].cells;
         if (parted[topology.material(cells[0])] &&
             parted[topology.material(cells[1])])
-          topology.face_states[face] = FaceState::cohesive;
+          topology.face_states[face] = FaceState::cut;
       }
     separate_touching_pieces(topology);
 

@@ -1,4 +1,4 @@
-#include <rift/base/exceptions.h>
+#include <rift/base/checked_cast.h>
 #include <rift/mesh/topology.h>
 
 #include <algorithm>
@@ -60,6 +60,9 @@ namespace rift
         cell_owners.push_back(cell.owner);
       }
     fill_batch();
+    // Each corner of a cell may come to have a node of its own.
+    checked_cast<NodeIndex>(n_corners * batches.size() * batch_size,
+                            "corners of cells on a rank");
   }
 
   void

@@ -7,6 +7,23 @@ namespace rift
 {
   namespace
   {
+    /** The motion of a rigid body, for a checkpoint. */
+    struct RigidBodyRecord
+    {
+      Vector3<double> displacement;
+      double          rotation;
+      Vector3<double> axis, velocity, angular_momentum;
+    };
+  } // namespace
+
+  template <>
+  struct HasPlainBytes<RigidBodyRecord> : std::true_type
+  {
+    static_assert(sizeof(RigidBodyRecord) == 13 * sizeof(double));
+  };
+
+  namespace
+  {
     void
     add(const Vector3<double> &term, std::array<ExactSum, dim> &sums)
     {
@@ -279,20 +296,25 @@ namespace rift
     const auto loads  = total_loads();
     const auto driven = driven_velocities(state.time + .5 * time_step);
     work_done.begin_step();
+    std::string failure;
     for (std::size_t i = 0; i < bodies.size(); ++i)
       {
         Body &body  = bodies[i];
         body.motion = kicked(body, loads[i], driven[body.material], time_step);
         const auto &v = body.motion.velocity, &l = body.motion.angular_momentum;
-        const auto  fail = [&](const std::string &what) {
-          throw RunError("step " + std::to_string(state.step) +
-                         ": a rigid body of " + material_names[body.material] +
-                         what + " Look at the last results in ParaView.");
-        };
-        if (!std::isfinite(dot(v, v) + dot(l, l)))
-          fail(" has a velocity that is not a number.");
-        if (!drift(body.motion, body.mass, time_step))
-          fail(" turns by more than 60 degrees in a step.");
+        const char *fault = !std::isfinite(dot(v, v) + dot(l, l)) ?
+                              " has a velocity that is not a number." :
+                            !drift(body.motion, body.mass, time_step) ?
+                              " turns by more than 60 degrees in a step." :
+                              nullptr;
+        if (fault != nullptr)
+          {
+            if (failure.empty())
+              failure = "step " + std::to_string(state.step) +
+                        ": a rigid body of " + material_names[body.material] +
+                        fault + " Look at the last results in ParaView.";
+            continue;
+          }
         if (!body.is_awake && (dot(v, v) > 0 || dot(l, l) > 0))
           {
             body.is_awake = true;
@@ -301,6 +323,8 @@ namespace rift
           }
         move_nodes(body, state, time_step);
       }
+    if (!failure.empty())
+      throw CollectiveError(ExitCode::run_error, failure);
   }
 
   void
@@ -345,32 +369,42 @@ namespace rift
     return sums;
   }
 
-  std::vector<RigidBodyRecord>
-  RigidBodies::records() const
+  void
+  RigidBodies::declare_fields(FieldList &list, const RigidBodies *bodies)
   {
-    std::vector<RigidBodyRecord> records;
-    for (const Body &body : bodies)
-      {
-        const RigidMotion &motion = body.motion;
-        records.push_back({motion.displacement,
-                           motion.rotation.real,
-                           motion.rotation.imaginary,
-                           motion.velocity,
-                           motion.angular_momentum});
-      }
-    return records;
+    list.add_of_material("force", "N", [bodies](const std::string &material) {
+      return bodies->force(material);
+    });
   }
 
   void
-  RigidBodies::restore(const std::vector<RigidBodyRecord> &records)
+  RigidBodies::save(const Discretization &, Archive &archive) const
   {
+    // All ranks have the same.
+    std::vector<RigidBodyRecord> records;
+    for (const Body &body : bodies)
+      if (communicator.is_root())
+        records.push_back({body.motion.displacement,
+                           body.motion.rotation.real,
+                           body.motion.rotation.imaginary,
+                           body.motion.velocity,
+                           body.motion.angular_momentum});
+    archive.write_list("rigid bodies", records);
+    work_done.save("rigid bodies", archive);
+  }
+
+  void
+  RigidBodies::load(const Discretization &, const Archive &archive)
+  {
+    const auto records = archive.read_list<RigidBodyRecord>("rigid bodies");
     for (std::size_t i = 0; i < bodies.size(); ++i)
       {
-        const RigidBodyRecord &record = records[i];
+        const RigidBodyRecord &record = records.at(i);
         bodies[i].motion              = {record.displacement,
                                          {record.rotation, record.axis},
                                          record.velocity,
                                          record.angular_momentum};
       }
+    work_done.load("rigid bodies", archive);
   }
 } // namespace rift

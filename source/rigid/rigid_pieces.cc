@@ -1,10 +1,8 @@
 #include <rift/base/bytes.h>
+#include <rift/base/disjoint_sets.h>
 #include <rift/base/exceptions.h>
 #include <rift/mesh/face_table.h>
 #include <rift/rigid/rigid_pieces.h>
-
-#include <algorithm>
-#include <numeric>
 
 namespace rift
 {
@@ -32,34 +30,22 @@ namespace rift
     const auto is_rigid = [&](const GlobalCellIndex cell) {
       return materials[mesh.cell_materials[cell]].is_rigid();
     };
-    // The first cell of the piece that each cell is known to belong to.
-    std::vector<GlobalCellIndex> first(mesh.cells.size());
-    std::iota(first.begin(), first.end(), 0);
-    const auto find_first = [&first](GlobalCellIndex cell) {
-      while (first[cell] != cell)
-        cell = first[cell] = first[first[cell]];
-      return cell;
-    };
+    DisjointSets    sets(mesh.cells.size());
     const FaceTable faces(mesh);
     for (VertexIndex vertex = 0; vertex < faces.n_vertices(); ++vertex)
       {
         const auto sides = faces.faces_of(vertex);
-        for (auto b = sides.begin(); b != sides.end(); ++b)
+        for (std::size_t i = 1; i < sides.size(); ++i)
           {
-            const auto a = b - 1;
-            if (b == sides.begin() || a->middle != b->middle ||
-                a->largest != b->largest)
+            const FaceTable::Side &a = sides.first[i - 1], &b = sides.first[i];
+            if (a.middle != b.middle || a.largest != b.largest)
               continue;
-            if (mesh.cell_materials[a->cell] == mesh.cell_materials[b->cell])
-              {
-                const GlobalCellIndex i = find_first(a->cell),
-                                      j = find_first(b->cell);
-                first[std::max(i, j)]   = std::min(i, j);
-              }
-            else if (is_rigid(a->cell))
-              refuse_shared_face(mesh, a->cell, b->cell);
-            else if (is_rigid(b->cell))
-              refuse_shared_face(mesh, b->cell, a->cell);
+            if (mesh.cell_materials[a.cell] == mesh.cell_materials[b.cell])
+              sets.unite(a.cell, b.cell);
+            else if (is_rigid(a.cell))
+              refuse_shared_face(mesh, a.cell, b.cell);
+            else if (is_rigid(b.cell))
+              refuse_shared_face(mesh, b.cell, a.cell);
           }
       }
 
@@ -68,7 +54,7 @@ namespace rift
     for (GlobalCellIndex cell = 0; cell < mesh.cells.size(); ++cell)
       if (is_rigid(cell))
         {
-          const GlobalCellIndex first_cell = find_first(cell);
+          const GlobalCellIndex first_cell = sets.find(cell);
           if (first_cell == cell)
             {
               pieces.body_of_cell[cell] =

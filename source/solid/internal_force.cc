@@ -1,5 +1,6 @@
 #include <rift/solid/cell_kernel.h>
 #include <rift/solid/internal_force.h>
+#include <rift/solid/principal_stresses.h>
 
 #include <cmath>
 
@@ -183,6 +184,34 @@ namespace rift
           sigma[voigt[i][j]] = sum / ratio;
         }
     return sigma;
+  }
+
+  void
+  InternalForce::declare_fields(FieldList &list, const InternalForce *force)
+  {
+    const auto stress = [force, state = list.state()](const std::size_t cell) {
+      return force->cauchy_stress(*state, cell);
+    };
+    list.add("stress", "Pa", FieldLocation::cell, stress);
+    list
+      .add(
+        "principal stress",
+        "Pa",
+        FieldLocation::cell,
+        [stress](const std::size_t cell) {
+          return principal_stresses(stress(cell));
+        },
+        FieldUse::on_request)
+      .components = {"1", "2", "3"};
+    list.add(
+      "pressure",
+      "Pa",
+      FieldLocation::cell,
+      [stress](const std::size_t cell) {
+        const SymmetricTensor<double> s = stress(cell);
+        return -(s[0] + s[1] + s[2]) / 3;
+      },
+      FieldUse::on_request);
   }
 
   ExactSum

@@ -1,6 +1,7 @@
 #include <rift/base/parameter_file.h>
 #include <rift/base/parameter_text.h>
 
+#include "../temporary_directory.h"
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -147,6 +148,103 @@ TEST_F(ParameterFileTest, GarbageIsRefusedReadably)
                 0u)
         << error.what();
     }
+}
+
+TEST_F(ParameterFileTest, WhatIsNoUtf8IsRefusedWithItsLine)
+{
+  // Comments are nobody's business.
+  EXPECT_EQ(
+    ParameterFile(write("a.prm", "# H\xe4rte\nset Title = H\u00e4rte\n"))
+      .entries()[0]
+      .value,
+    "H\u00e4rte");
+  const auto message = [](const std::string              &path,
+                          const std::vector<std::string> &overrides) {
+    return rift::message_of<rift::InputError>(
+      [&] { ParameterFile(path, overrides); });
+  };
+  const std::string bad =
+    write("bad.prm", "set Title = a \\\n  b \\\n  H\xe4rte\n");
+  EXPECT_EQ(message(bad, {}),
+            bad + ":3: the byte 0xe4 in \"H?rte\" is not valid UTF-8. Save the "
+                  "file as UTF-8, or use ASCII.");
+  // As an editor that takes itself for Windows saves it.
+  const std::string wide =
+    write("wide.prm", std::string("\xff\xfes\0e\0t\0", 8));
+  EXPECT_EQ(
+    message(wide, {}),
+    wide +
+      ":1: the byte 0xff in \"??s?e?t?\" is not valid UTF-8. Save the file "
+      "as UTF-8, or use ASCII.");
+  const std::string good = write("good.prm", "set Title = a\n");
+  EXPECT_EQ(
+    message(good, {"Output/Directory=H\xe4rte"}),
+    "--set Output/Directory=H?rte: the byte 0xe4 in "
+    "\"Output/Directory=H?rte\" is not valid UTF-8. Use UTF-8 or ASCII.");
+}
+
+TEST(Utf8, IsToldFromOtherBytes)
+{
+  using rift::find_invalid_utf8;
+  for (const std::string good : {"",
+                                 "a",
+                                 "\x7f",
+                                 "\xc2\x80",
+                                 "\u00e4",
+                                 "\u20ac",
+                                 "\xed\x9f\xbf",
+                                 "\xee\x80\x80",
+                                 "\xf0\x90\x80\x80",
+                                 "\xf4\x8f\xbf\xbf"})
+    EXPECT_EQ(find_invalid_utf8(good), std::string::npos) << good;
+  EXPECT_EQ(find_invalid_utf8("\u00e4\u20ac\xe4x"), 5u);
+  // Cut off, overlong, surrogates, beyond Unicode, and lone bytes.
+  for (const std::string bad : {"\x80",
+                                "\xbf",
+                                "\xc3",
+                                "\xe2\x82",
+                                "\xf0\x90\x80",
+                                "\xc0\xaf",
+                                "\xc1\xbf",
+                                "\xe0\x9f\xbf",
+                                "\xf0\x8f\xbf\xbf",
+                                "\xed\xa0\x80",
+                                "\xf4\x90\x80\x80",
+                                "\xf5\x80\x80\x80",
+                                "\xfe",
+                                "\xff",
+                                "\xe2\x28\xa1"})
+    EXPECT_EQ(find_invalid_utf8("ab" + bad), 2u);
+}
+
+TEST(Excerpt, IsPrintableAndShort)
+{
+  EXPECT_EQ(rift::excerpt("a\tb\xe4\u00e4"), "a?b?\u00e4");
+  const std::string text(59, 'x');
+  EXPECT_EQ(rift::excerpt(text + "y"), text + "y");
+  EXPECT_EQ(rift::excerpt(text + "yz"), text + "y...");
+  // Not within a character.
+  EXPECT_EQ(rift::excerpt(text + "\u00e4"), text + "...");
+}
+
+TEST(Name, HasNoCharactersWithAMeaning)
+{
+  for (const std::string good : {"granite 2", "1", "H\u00e4rte", "a.b-c_d+e"})
+    EXPECT_EQ(rift::name_problem(good), "");
+  for (const char c : std::string("/#,;\"'[]{}()=\\"))
+    EXPECT_EQ(rift::name_problem(std::string("a") + c),
+              "a name cannot have any of / # , ; \" ' [ ] { } ( ) = \\ in it");
+  EXPECT_EQ(rift::name_problem("H\xe4rte"), "a name must be UTF-8");
+}
+
+TEST(Suggestion, NeverNamesNothing)
+{
+  EXPECT_EQ(rift::suggestion("tpo", {"top", "side"}), " Did you mean \"top\"?");
+  EXPECT_EQ(rift::suggestion("joint", {"top", "side"}),
+            " Known are top and side.");
+  EXPECT_EQ(rift::suggestion("joint", {}), " There are none.");
+  EXPECT_EQ(rift::suggestion("joint", {}, "The list is empty."),
+            " The list is empty.");
 }
 
 TEST(NearestName, FindsWhatIsMeant)

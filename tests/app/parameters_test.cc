@@ -97,6 +97,7 @@ subsection Output
   set Directory = somewhere else
   set Solution interval = 5e-6
   set History interval = 1e-7
+  set Fields = velocity,  normal traction
   set Overwrite = true
   set Ranks per file = 8
 end
@@ -160,7 +161,8 @@ end
     EXPECT_EQ(p.boundaries[1].traction,
               (std::array<std::string, 3>{
                 {"1e6 * sin(t)", "", folder + "/pulse.csv"}}));
-    EXPECT_EQ(p.body_force.gravity, (Vector3<double>{{0, 0, -9.81}}));
+    EXPECT_NE(used_parameters(p).find("set Gravity = 0, 0, -9.81"),
+              std::string::npos);
     EXPECT_EQ(p.cohesive.model, CohesiveParameters::Model::extrinsic);
     EXPECT_EQ(p.cohesive.stiffness_factor, 0.5);
     EXPECT_EQ(p.cohesive.seed, 42u);
@@ -171,6 +173,8 @@ end
     EXPECT_EQ(p.output.directory, "somewhere else");
     EXPECT_EQ(p.output.solution_interval, 5e-6);
     EXPECT_EQ(p.output.history_interval, 1e-7);
+    EXPECT_EQ(p.output.fields.words,
+              (std::vector<std::string>{"velocity", "normal traction"}));
     EXPECT_TRUE(p.output.overwrite);
     EXPECT_EQ(p.output.ranks_per_file, 8);
     EXPECT_EQ(p.checkpoint.interval_in_steps, 500000u);
@@ -178,11 +182,15 @@ end
     EXPECT_EQ(p.checkpoint.n_sets, 3u);
     ASSERT_EQ(p.probes.size(), 2u);
     EXPECT_EQ(p.probes[0].name, "fspv");
-    EXPECT_EQ(p.probes[0].field, ProbeParameters::Field::velocity);
-    EXPECT_EQ(p.probes[0].component, 0u);
+    EXPECT_EQ(p.probes[0].field.name, "velocity");
+    EXPECT_EQ(p.probes[0].field.unit, "m/s");
+    EXPECT_EQ(p.probes[0].field.location, FieldLocation::node);
+    EXPECT_EQ(p.probes[0].field.index, 0u);
     EXPECT_EQ(p.probes[0].boundary, "free_end");
-    EXPECT_EQ(p.probes[1].field, ProbeParameters::Field::stress);
-    EXPECT_EQ(p.probes[1].component, 3u);
+    EXPECT_EQ(p.probes[1].field.name, "stress");
+    EXPECT_EQ(p.probes[1].field.unit, "Pa");
+    EXPECT_EQ(p.probes[1].field.location, FieldLocation::cell);
+    EXPECT_EQ(p.probes[1].field.index, 3u);
     EXPECT_EQ(p.probes[1].point, (Vector3<double>{{0.09, 0, 0}}));
   }
 } // namespace
@@ -259,6 +267,7 @@ end
   EXPECT_EQ(p.output.directory, OutputParameters().directory);
   EXPECT_EQ(p.output.solution_interval, OutputParameters().solution_interval);
   EXPECT_EQ(p.output.history_interval, OutputParameters().history_interval);
+  EXPECT_EQ(p.output.fields.words, OutputParameters().fields.words);
   EXPECT_EQ(p.output.ranks_per_file, OutputParameters().ranks_per_file);
   EXPECT_EQ(p.output.overwrite, OutputParameters().overwrite);
   EXPECT_EQ(p.checkpoint.interval_in_steps,

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <new>
+#include <optional>
+#include <stdexcept>
+
 using namespace rift;
 
 namespace
@@ -122,6 +126,66 @@ TEST(Communicator, PairsExchangeWhatTheyExpect)
     }
 }
 
+TEST(Communicator, TypedExchange)
+{
+  // Each rank sends its number to each rank, as often as that says; the first
+  // of them gets an empty message.
+  const Communicator              all(MPI_COMM_WORLD);
+  std::map<int, std::vector<int>> data, expected;
+  for (int rank = 0; rank < all.size(); ++rank)
+    {
+      data[rank].assign(rank, all.rank());
+      expected[rank].assign(all.rank(), rank);
+    }
+  EXPECT_EQ(all.exchange(data), expected);
+}
+
+TEST(Communicator, MessagesOfOthersAreNotTaken)
+{
+  // Messages of the program around, with the same ranks and any tag.
+  const Communicator       all(MPI_COMM_WORLD);
+  constexpr int            n_tags  = 10;
+  const int                next    = (all.rank() + 1) % all.size();
+  const int                last    = (all.rank() + all.size() - 1) % all.size();
+  const char               foreign = 'f';
+  std::vector<MPI_Request> requests(n_tags);
+  for (int tag = 0; tag < n_tags; ++tag)
+    MPI_Isend(&foreign, 1, MPI_CHAR, next, tag, MPI_COMM_WORLD, &requests[tag]);
+
+  EXPECT_EQ(all.exchange({{next, "o"}}).at(last), "o");
+  if (all.size() > 1)
+    {
+      // One after the other: a large text would wait for its receiver.
+      if (all.is_root())
+        all.send("own", next);
+      EXPECT_EQ(all.receive(last), "own");
+      if (!all.is_root())
+        all.send("own", next);
+    }
+
+  for (int tag = 0; tag < n_tags; ++tag)
+    {
+      char received = 0;
+      MPI_Recv(&received,
+               1,
+               MPI_CHAR,
+               last,
+               tag,
+               MPI_COMM_WORLD,
+               MPI_STATUS_IGNORE);
+      EXPECT_EQ(received, 'f');
+    }
+  MPI_Waitall(n_tags, requests.data(), MPI_STATUSES_IGNORE);
+}
+
+TEST(Communicator, CopiesOutliveTheFirst)
+{
+  std::optional<Communicator> first(MPI_COMM_WORLD);
+  const Communicator          copy = *first;
+  first.reset();
+  EXPECT_EQ(copy.sum(1), copy.size());
+}
+
 TEST(Communicator, AllThrowTheErrorOfTheLowestRank)
 {
   const Communicator all(MPI_COMM_WORLD);
@@ -141,6 +205,39 @@ TEST(Communicator, AllThrowTheErrorOfTheLowestRank)
       }
 }
 
+TEST(Communicator, UnforeseenExceptionsReachAll)
+{
+  const Communicator all(MPI_COMM_WORLD);
+  if (all.size() == 1)
+    {
+      // Alone, nobody else has to learn of it.
+      EXPECT_THROW(all.together([] { throw std::out_of_range("x"); }),
+                   std::out_of_range);
+      return;
+    }
+  const auto expect = [&](const std::string &message, const auto &f) {
+    try
+      {
+        all.together([&] {
+          if (all.rank() == 1)
+            f();
+        });
+        FAIL() << "nothing was thrown";
+      }
+    catch (const Error &error)
+      {
+        EXPECT_EQ(error.exit_code, ExitCode::run_error);
+        EXPECT_EQ(error.what(), message);
+      }
+  };
+  expect("rift has failed in a way that it does not foresee. Please report "
+         "this: index 5",
+         [] { throw std::out_of_range("index 5"); });
+  expect("the memory of this machine is too small for this scene. Use larger "
+         "elements.",
+         [] { throw std::bad_alloc(); });
+}
+
 TEST(Communicator, OnlyTheRootActs)
 {
   const Communicator all(MPI_COMM_WORLD);
@@ -148,4 +245,20 @@ TEST(Communicator, OnlyTheRootActs)
   all.on_root([&] { ++calls; });
   EXPECT_EQ(calls, all.is_root() ? 1 : 0);
   EXPECT_THROW(all.on_root([] { throw InputError("bad"); }), Error);
+}
+
+TEST(Communicator, CountsOfMpi)
+{
+  EXPECT_EQ(mpi_count(2147483647), 2147483647);
+  try
+    {
+      mpi_count(2147483648u);
+      FAIL() << "nothing was thrown";
+    }
+  catch (const RunError &error)
+    {
+      EXPECT_STREQ(error.what(),
+                   "a rank has 2147483648 bytes to send at once; MPI takes "
+                   "2147483647. Start rift on more ranks.");
+    }
 }

@@ -19,7 +19,7 @@ namespace
 
 TEST(StopSignals, AreRememberedWhileItLives)
 {
-  for (const int signal : {SIGTERM, SIGUSR1, SIGINT})
+  for (const int signal : {SIGTERM, SIGUSR1, SIGUSR2, SIGXCPU, SIGHUP, SIGINT})
     {
       std::signal(signal, count);
       n_received = 0;
@@ -54,24 +54,41 @@ TEST(StopSignals, SecondInterruptEndsTheProgram)
       "");
 }
 
-TEST(StopSignals, IgnoredInterruptStaysIgnored)
+TEST(StopSignals, IgnoredSignalsOfATerminalStayIgnored)
 {
-  std::signal(SIGINT, SIG_IGN);
-  {
-    const StopSignals signals;
-    std::raise(SIGINT);
-    EXPECT_FALSE(signals.requested());
-  }
-  EXPECT_EQ(std::signal(SIGINT, SIG_DFL), SIG_IGN);
+  for (const int signal : {SIGINT, SIGHUP})
+    {
+      std::signal(signal, SIG_IGN);
+      {
+        const StopSignals signals;
+        std::raise(signal);
+        EXPECT_FALSE(signals.requested());
+      }
+      EXPECT_EQ(std::signal(signal, SIG_DFL), SIG_IGN);
+    }
+}
+
+TEST(StopSignals, IgnoredSignalsOfBatchSystemsAreRemembered)
+{
+  for (const int signal : {SIGTERM, SIGUSR1, SIGUSR2, SIGXCPU})
+    {
+      std::signal(signal, SIG_IGN);
+      {
+        const StopSignals signals;
+        std::raise(signal);
+        EXPECT_TRUE(signals.requested());
+      }
+      EXPECT_EQ(std::signal(signal, SIG_DFL), SIG_IGN);
+    }
 }
 
 TEST(StopSignals, LeaveOthersAlone)
 {
-  std::signal(SIGUSR2, count);
+  std::signal(SIGWINCH, count);
   n_received = 0;
   const StopSignals signals;
-  std::raise(SIGUSR2);
+  std::raise(SIGWINCH);
   EXPECT_FALSE(signals.requested());
   EXPECT_EQ(n_received, 1);
-  std::signal(SIGUSR2, SIG_DFL);
+  std::signal(SIGWINCH, SIG_DFL);
 }

@@ -12,14 +12,22 @@ namespace rift::test
 {
   namespace
   {
+    CohesiveParameters
+    parameters_of(const CohesiveModel model)
+    {
+      CohesiveParameters parameters;
+      parameters.model = model;
+      return parameters;
+    }
+
     /** The cube in pieces of one cell, joined by cohesive elements. */
     class CutGranite
     {
     public:
-      CutGranite(const unsigned int n, const CohesiveParameters::Model model)
+      CutGranite(const unsigned int n, const CohesiveModel model)
         : body(discretize(make_box({{n, n, n}}, granite_edge, .15),
                           {granite().density},
-                          model == CohesiveParameters::Model::intrinsic ?
+                          model == CohesiveModel::intrinsic ?
                             std::vector<bool>{true} :
                             std::vector<bool>()))
         , activity(body.topology)
@@ -27,7 +35,7 @@ namespace rift::test
         , force(body.topology,
                 body.reference,
                 strengths,
-                model,
+                parameters_of(model),
                 PenaltySlopes(body.topology,
                               body.reference,
                               body.state,
@@ -35,7 +43,7 @@ namespace rift::test
                               {granite()},
                               {stiffness_matrix(make_elasticity(granite()))}))
       {
-        if (model == CohesiveParameters::Model::intrinsic)
+        if (model == CohesiveModel::intrinsic)
           {
             activity.wake_all(body.topology);
             force.start_all(body.state);
@@ -81,14 +89,14 @@ namespace rift::test
     };
 
     void
-    count_faces(benchmark::State &run, const CohesiveForce &force)
+    count_faces(benchmark::State &run, CohesiveForce &force)
     {
       const CohesiveFaces &faces = force.faces();
       const double         n     = faces.size();
       run.counters["faces"]      = n;
       run.counters["bytes_per_face"] =
         (faces.batches.size() * sizeof(CohesiveBatch) +
-         faces.memories.size() * sizeof(CohesiveMemory)) /
+         force.elements_of_law().n_bytes()) /
           n +
         sizeof(CohesiveFaceInfo);
       run.counters["face_steps"] =
@@ -96,7 +104,7 @@ namespace rift::test
     }
 
     void
-    elastic(benchmark::State &run, const CohesiveParameters::Model model)
+    elastic(benchmark::State &run, const CohesiveModel model)
     {
       CutGranite cut(run.range(0), model);
       cut.pull(1e-6);
@@ -111,7 +119,7 @@ namespace rift::test
     void
     intrinsic_steps(benchmark::State &run)
     {
-      CutGranite    cut(run.range(0), CohesiveParameters::Model::intrinsic);
+      CutGranite    cut(run.range(0), CohesiveModel::intrinsic);
       InternalForce internal_force(cut.body.topology,
                                    cut.body.reference,
                                    {make_elasticity(granite())});
@@ -135,7 +143,7 @@ namespace rift::test
     void
     softening(benchmark::State &run)
     {
-      CutGranite cut(run.range(0), CohesiveParameters::Model::extrinsic);
+      CutGranite cut(run.range(0), CohesiveModel::extrinsic);
       double     share = 0;
       for (auto _ : run)
         {
@@ -152,10 +160,10 @@ namespace rift::test
 
     // 48,000 cells; the softening run ends when about half of the faces have
     // failed.
-    BENCHMARK_CAPTURE(elastic, extrinsic, CohesiveParameters::Model::extrinsic)
+    BENCHMARK_CAPTURE(elastic, extrinsic, CohesiveModel::extrinsic)
       ->Arg(20)
       ->Unit(benchmark::kMillisecond);
-    BENCHMARK_CAPTURE(elastic, intrinsic, CohesiveParameters::Model::intrinsic)
+    BENCHMARK_CAPTURE(elastic, intrinsic, CohesiveModel::intrinsic)
       ->Arg(20)
       ->Unit(benchmark::kMillisecond);
     BENCHMARK(intrinsic_steps)

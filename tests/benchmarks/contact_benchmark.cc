@@ -64,10 +64,10 @@ namespace rift::test
         ContactForce::Interface result;
         result.cells.assign(body.topology.n_cell_slots(),
                             {1e10, 1., invalid_index});
-        result.friction       = [](std::uint32_t, std::uint32_t) { return .5; };
-        result.damping        = 0;
-        result.is_held        = [](FaceIndex) { return false; };
-        result.n_crack_events = [] { return std::uint64_t(1); };
+        result.friction           = {{.5}};
+        result.damping            = 0;
+        result.is_held            = [](FaceIndex) { return false; };
+        result.n_crack_events     = [] { return std::uint64_t(1); };
         result.for_each_open_face = [this](const auto &f) {
           for (FaceIndex face = 0; face < body.topology.faces.size(); ++face)
             f(face);

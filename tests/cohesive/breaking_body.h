@@ -1,8 +1,10 @@
 #ifndef rift_tests_cohesive_breaking_body_h
 #define rift_tests_cohesive_breaking_body_h
 
+#include <rift/cohesive/cohesive_elements_of.h>
 #include <rift/cohesive/cohesive_force.h>
 #include <rift/cohesive/insertion.h>
+#include <rift/cohesive/laws/mohr_coulomb.h>
 #include <rift/mesh/mesh_data.h>
 #include <rift/time_integration/central_difference.h>
 #include <rift/time_integration/critical_time_step.h>
@@ -56,6 +58,25 @@ namespace rift::test
     return result;
   }
 
+  /** The elements of a force whose law is known. */
+  template <typename Law>
+  CohesiveElementsOf<Law> &
+  elements_of(CohesiveForce &force)
+  {
+    return dynamic_cast<CohesiveElementsOf<Law> &>(force.elements_of_law());
+  }
+
+  using ExtrinsicLaw = MohrCoulomb<StraightBranch>;
+
+  inline CohesiveParameters
+  parameters_of(const CohesiveModel model, const double least_share = 1)
+  {
+    CohesiveParameters parameters;
+    parameters.model       = model;
+    parameters.least_share = least_share;
+    return parameters;
+  }
+
   /**
    * Clears what compressed faces have still to draw from the body, for tests
    * that hold nodes in place: there, repaying it would lower the pressure.
@@ -63,18 +84,20 @@ namespace rift::test
    * @return how much it was, J.
    */
   inline double
-  forgive_debts(const CohesiveForce &force)
+  forgive_debts(CohesiveForce &force)
   {
     const FaceQuadrature quadrature;
-    auto                &faces = const_cast<CohesiveFaces &>(force.faces());
-    double               sum   = 0;
-    for (const CohesiveBatch &batch : faces.batches)
+    auto                &elements = elements_of<ExtrinsicLaw>(force);
+    double               sum      = 0;
+    for (std::size_t i = 0; i < force.faces().size(); ++i)
       for (unsigned int q = 0; q < n_face_points; ++q)
         {
-          Simd &debt = faces.memories[batch.memory].points[q].debt;
-          for (unsigned int lane = 0; lane < batch.n_faces; ++lane)
-            sum += quadrature.weight[q] * batch.area[lane] * debt[lane];
-          debt = broadcast(0);
+          const double area =
+            force.faces().batches[i / batch_size].area[i % batch_size];
+          auto point = elements.point(i, q);
+          sum += quadrature.weight[q] * area * point.debt;
+          point.debt = 0;
+          elements.set_point(i, q, point);
         }
     return sum;
   }
@@ -107,17 +130,16 @@ namespace rift::test
                   discrete.reference,
                   internal_force,
                   strengths,
-                  parameters.least_share)
+                  parameters)
       , force(topology,
               discrete.reference,
               strengths,
-              CohesiveParameters::Model::extrinsic,
+              parameters_of(CohesiveModel::extrinsic, parameters.least_share),
               slopes_that_the_step_allows(topology,
                                           discrete.reference,
                                           stiffnesses_of(materials),
                                           densities_of(materials),
-                                          critical.frequency_squared),
-              parameters.least_share)
+                                          critical.frequency_squared))
     {
       internal_force.watch(strengths.stress_bounds());
       activity.wake_all(topology);
@@ -188,12 +210,12 @@ namespace rift::test
     energies(const double time_step) const
     {
       const CohesiveEnergy cohesive = force.energy(state);
-      EnergySums           sums;
-      sums.kinetic  = kinetic_energy(topology, state, time_step);
-      sums.strain   = internal_force.strain_energy(state);
-      sums.cohesive = cohesive.recoverable;
-      sums.fracture = cohesive.fracture;
-      sums.friction = cohesive.friction;
+      EnergyTable          sums;
+      sums["kinetic"]  = kinetic_energy(topology, state, time_step);
+      sums["strain"]   = internal_force.strain_energy(state);
+      sums["cohesive"] = cohesive.recoverable;
+      sums["fracture"] = cohesive.fracture;
+      sums["friction"] = cohesive.friction;
       return sums.total(communicator);
     }
 

@@ -91,9 +91,9 @@ TEST(DividedFaces, EnergiesAndCountsAreThoseOfTheWhole)
           move_all(whole, size, step);
           move_all(own, size, step);
           const Energies expected = whole.energies(1), found = own.energies(1);
-          EXPECT_EQ(found.cohesive, expected.cohesive);
-          EXPECT_EQ(found.fracture, expected.fracture);
-          EXPECT_EQ(found.friction, expected.friction);
+          EXPECT_EQ(found["cohesive"], expected["cohesive"]);
+          EXPECT_EQ(found["fracture"], expected["fracture"]);
+          EXPECT_EQ(found["friction"], expected["friction"]);
 
           const FaceCounts of_whole = whole.force.count_faces(Communicator());
           const FaceCounts of_all   = own.force.count_faces(all);

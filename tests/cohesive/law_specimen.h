@@ -17,15 +17,16 @@ namespace rift::test
 
   /** A point that is moved step by step; work is that of the trapezoidal rule,
    * as central differences do it, J/m^2. */
-  template <typename Branch>
-  struct BranchSpecimen
+  template <typename AnyLaw>
+  struct LawSpecimen
   {
-    using Law = MohrCoulomb<Branch>;
+    using Law = AnyLaw;
 
-    explicit BranchSpecimen(const double        slope    = test::slope,
-                            const FaceStrength &strength = test::strength)
-      : point(make_cohesive_point(strength, slope, Branch::part_of_fracture))
-      , constants(make_constants(strength, slope))
+    explicit LawSpecimen(const double        slope    = test::slope,
+                         const FaceStrength &strength = test::strength)
+      : face_strength(strength)
+      , constants(Law::make_constants(strength, slope))
+      , point(Law::make_point(strength, constants))
     {
     }
 
@@ -60,8 +61,8 @@ namespace rift::test
     hold(const Vector &traction)
     {
       given =
-        hold_traction(point, jump, traction, strength, constants.stiffness);
-      return given + point.debt;
+        Law::hold_traction(point, face_strength, constants, jump, traction);
+      return given + Law::owed_energy(point);
     }
 
     double
@@ -70,13 +71,17 @@ namespace rift::test
       return std::hypot(point.traction[1], point.traction[2]);
     }
 
-    Law                       law;
-    CohesivePoint<double>     point;
-    CohesiveConstants<double> constants;
-    Vector                    jump = {{0, 0, 0}};
-    double                    work = 0, fracture = 0, friction = 0;
-    double                    given = 0;
+    const FaceStrength                       face_strength;
+    const Law                                law{};
+    typename Law::template Constants<double> constants;
+    typename Law::template Point<double>     point;
+    Vector                                   jump = {{0, 0, 0}};
+    double work = 0, fracture = 0, friction = 0;
+    double given = 0;
   };
+
+  template <typename Branch>
+  using BranchSpecimen = LawSpecimen<MohrCoulomb<Branch>>;
 
   /** In the extrinsic model. */
   using Specimen = BranchSpecimen<StraightBranch>;

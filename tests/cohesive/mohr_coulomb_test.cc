@@ -217,8 +217,8 @@ TEST(MohrCoulomb, LanesAreLikeNumbers)
   std::mt19937                           random(6);
   std::uniform_real_distribution<double> value(-1, 1);
   std::vector<Specimen>                  numbers(batch_size);
-  CohesivePoint<Simd>                    lanes{};
-  CohesiveConstants<Simd>                constants{};
+  MohrCoulombPoint<Simd>                 lanes{};
+  MohrCoulombConstants<Simd>             constants{};
   for (unsigned int l = 0; l < batch_size; ++l)
     {
       numbers[l].hold({{8e6 * l - 24e6, 1e6 * l, 5e6}});

@@ -130,14 +130,6 @@ namespace
     }
   };
 
-  CohesiveParameters
-  with_share(const double least_share)
-  {
-    CohesiveParameters parameters;
-    parameters.least_share = least_share;
-    return parameters;
-  }
-
   /**
    * Cuts a body under a random stress field face by face, a few at a time,
    * and compares the accelerations before and after each cut. Every other
@@ -154,7 +146,7 @@ namespace
     BreakingBody     body(make_box({2, 2, 2}, h, .2, seed),
                       {granite()},
                       .25,
-                      with_share(least_share));
+                      parameters_of(CohesiveModel::extrinsic, least_share));
     strain_at_random(body, random, strain, h);
 
     auto faces = body.all_faces();
@@ -222,10 +214,11 @@ TEST(Opening, FaceIsAsWeakAsThePlaneThatItStandsInFor)
                            {-20e6, in_shear, .3, .6}};
   for (const Load &load : loads)
     {
-      BreakingBody body(make_box({2, 1, 1}, h),
-                        {granite()},
-                        .25,
-                        with_share(load.least_share));
+      BreakingBody body(
+        make_box({2, 1, 1}, h),
+        {granite()},
+        .25,
+        parameters_of(CohesiveModel::extrinsic, load.least_share));
       body.split(body.faces_in_plane(0, h));
       ASSERT_TRUE(body.sum_forces());
       ASSERT_EQ(body.openings.size(), 6u);
@@ -242,28 +235,29 @@ TEST(Opening, FaceIsAsWeakAsThePlaneThatItStandsInFor)
       ASSERT_EQ(faces.size(), 2u);
       for (std::size_t i = 0; i < 2; ++i)
         {
-          const CohesiveConstants<Simd> &constants = faces.batches[0].constants;
+          const auto &elements  = elements_of<ExtrinsicLaw>(body.force);
+          const auto  constants = elements.constants(i);
           EXPECT_NEAR(faces.infos[i].share, load.share, 1e-12);
-          EXPECT_NEAR(constants.tensile_strength[i],
+          EXPECT_NEAR(constants.tensile_strength,
                       load.share * strength.tensile_strength,
                       1e-12 * strength.tensile_strength);
-          EXPECT_NEAR(constants.tan_friction_angle[i],
+          EXPECT_NEAR(constants.tan_friction_angle,
                       load.share * strength.tan_friction_angle,
                       1e-12);
-          EXPECT_NEAR(faces.batches[0].cohesion[i],
+          EXPECT_NEAR(constants.cohesion,
                       load.share * strength.cohesion,
                       1e-12 * strength.cohesion);
           // At its limit, if it has been weakened: any more, and it softens.
-          for (const auto &point : faces.memories[0].points)
+          for (unsigned int q = 0; q < n_face_points; ++q)
             {
-              EXPECT_EQ(point.softening[i], 1);
-              EXPECT_NEAR(strength.times(load.share)
-                            .share_of(point.traction[0][i],
-                                      std::hypot(point.traction[1][i],
-                                                 point.traction[2][i])),
-                          strength.share_of(load.normal, load.shear) /
-                            load.share,
-                          1e-12);
+              const auto point = elements.point(i, q);
+              EXPECT_EQ(point.softening, 1);
+              EXPECT_NEAR(
+                strength.times(load.share)
+                  .share_of(point.traction[0],
+                            std::hypot(point.traction[1], point.traction[2])),
+                strength.share_of(load.normal, load.shear) / load.share,
+                1e-12);
             }
         }
     }
@@ -290,7 +284,7 @@ TEST(Opening, FaceWithoutPartedNodesLiesIdle)
     }
   const TopologyChange change = body.split({inside});
   EXPECT_TRUE(change.splits.empty());
-  EXPECT_EQ(body.topology.face_states[inside], FaceState::cohesive);
+  EXPECT_EQ(body.topology.face_states[inside], FaceState::cut);
   EXPECT_EQ(body.force.faces().size(), 0u);
 }
 
@@ -355,9 +349,9 @@ TEST(Opening, PrescribedComponentsTransmitNothing)
       ASSERT_EQ(body.force.faces().size(), 2u);
       for (std::size_t i = 0; i < 2; ++i)
         for (unsigned int q = 0; q < n_face_points; ++q)
-          largest =
-            std::max(largest,
-                     norm(body.force.point_state(body.state, i, q).traction));
+          largest = std::max(
+            largest,
+            norm(elements_of<ExtrinsicLaw>(body.force).point(i, q).traction));
       if (is_prescribed)
         EXPECT_EQ(largest, 0);
       else

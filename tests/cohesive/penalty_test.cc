@@ -33,7 +33,7 @@ namespace
       , force(body.topology,
               body.reference,
               strengths,
-              CohesiveParameters::Model::intrinsic,
+              parameters_of(CohesiveModel::intrinsic),
               slopes)
     {
       activity.wake_all(body.topology);

@@ -192,18 +192,16 @@ TEST(RisingBranch, AnIntactPointNeedsNoMemory)
   std::mt19937                           random(12);
   std::uniform_real_distribution<double> value(-1, 1);
   const MohrCoulomb<ParabolicBranch>     law;
-  const auto   constants = make_constants(strength, slope);
+  const auto   constants = law.make_constants(strength, slope);
   unsigned int n_yields  = 0;
   for (unsigned int i = 0; i < 10000; ++i)
     {
-      const Vector jump = {{1.2 * peak_opening * value(random),
-                            .8 * peak_slip * value(random),
-                            .8 * peak_slip * value(random)}};
-      auto         point =
-        make_cohesive_point(strength, slope, ParabolicBranch::part_of_fracture);
-      bool       yields;
-      const auto traction =
-        law.intact_traction(constants, strength.cohesion, jump, yields);
+      const Vector jump  = {{1.2 * peak_opening * value(random),
+                             .8 * peak_slip * value(random),
+                             .8 * peak_slip * value(random)}};
+      auto         point = law.make_point(strength, constants);
+      bool         yields;
+      const auto   traction = law.intact_traction(constants, jump, yields);
       law.update(point, constants, jump);
       EXPECT_EQ(yields, point.softening < 1 || point.opening + point.slip > 0);
       n_yields += yields;

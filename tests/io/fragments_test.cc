@@ -157,7 +157,7 @@ TEST(Fragments, TwoHalvesOfABar)
     }
   body.state.grow(split_nodes(topology, faces));
   for (const FaceIndex face : faces)
-    topology.face_states[face] = FaceState::broken;
+    topology.face_states[face] = FaceState::failed;
   for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
     {
       double centre = 0;

@@ -1,8 +1,14 @@
 #include <rift/base/exceptions.h>
+#include <rift/io/directory_lock.h>
 #include <rift/io/output_directory.h>
 
 #include "../temporary_directory.h"
 #include <gtest/gtest.h>
+
+#include <sys/wait.h>
+
+#include <csignal>
+#include <unistd.h>
 
 using namespace rift;
 using std::filesystem::exists;
@@ -260,4 +266,71 @@ TEST(OutputDirectory, IsNotWritable)
               prepare_output_directory("/proc", false);
             }).substr(0, 28),
             "Cannot create /proc/rift.tmp");
+}
+
+namespace
+{
+  std::string
+  refusal(const TemporaryDirectory &directory, const pid_t holder)
+  {
+    std::string host(255, '\0');
+    gethostname(host.data(), host.size());
+    host.resize(host.find('\0'));
+    return "The output directory " + directory.path +
+           " is in use by another run of rift, process " +
+           std::to_string(holder) + " on host " + host +
+           ". Wait for its end, stop it, or choose another directory with "
+           "--output.";
+  }
+} // namespace
+
+TEST(DirectoryLock, OnlyOneHasIt)
+{
+  const TemporaryDirectory directory;
+  const auto               lock = [&] { DirectoryLock{directory.path}; };
+  {
+    const DirectoryLock first(directory.path);
+    for (int i = 0; i < 2; ++i)
+      EXPECT_EQ(message_of<InputError>(lock), refusal(directory, getpid()));
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(directory.path));
+  EXPECT_EQ(message_of<InputError>(lock), "(nothing was thrown)");
+}
+
+TEST(DirectoryLock, IsNoResult)
+{
+  const TemporaryDirectory directory;
+  const DirectoryLock      lock(directory.path);
+  prepare_output_directory(directory.path, false);
+  reopen_output_directory(directory.path);
+  EXPECT_TRUE(exists(directory / "rift.lock"));
+}
+
+TEST(DirectoryLock, VanishesWithAKilledProcess)
+{
+  const TemporaryDirectory directory;
+  const pid_t              child = fork();
+  if (child == 0)
+    {
+      const DirectoryLock lock(directory.path);
+      write_file(directory / "ready", "");
+      while (true)
+        pause();
+    }
+  while (!exists(directory / "ready"))
+    usleep(1000);
+  EXPECT_EQ(message_of<InputError>([&] { DirectoryLock{directory.path}; }),
+            refusal(directory, child));
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  EXPECT_TRUE(exists(directory / "rift.lock"));
+  EXPECT_NO_THROW(DirectoryLock{directory.path});
+  EXPECT_FALSE(exists(directory / "rift.lock"));
+}
+
+TEST(DirectoryLock, NeedsADirectory)
+{
+  EXPECT_EQ(message_of<DiskError>([] { DirectoryLock{"/nowhere"}; }),
+            "Cannot create /nowhere/rift.lock: No such file or directory. "
+            "Check that its folder exists.");
 }

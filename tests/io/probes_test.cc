@@ -2,6 +2,7 @@
 
 #include <rift/base/exceptions.h>
 #include <rift/io/probes.h>
+#include <rift/solid/internal_force.h>
 
 #include "../support/divided_body.h"
 #include "../support/elastic_body.h"
@@ -9,7 +10,7 @@
 
 using namespace rift;
 using namespace rift::test;
-using Field = ProbeParameters::Field;
+using Component = ProbeParameters::Component;
 
 namespace
 {
@@ -38,25 +39,21 @@ namespace
                               {make_elasticity(rock(densities[0])),
                                make_elasticity(rock(densities[1]))});
     std::vector<Probe>  probes;
-    for (const auto &[field, component] :
-         {std::make_pair(Field::displacement, 0u),
-          std::make_pair(Field::velocity, 2u),
-          std::make_pair(Field::stress, 4u),
-          std::make_pair(Field::pressure, 0u)})
-      probes.emplace_back(
-        body.topology,
-        body.reference,
-        body.state,
-        ProbeParameters{"p", field, "", component, boundary, point},
-        surface,
-        communicator);
-    return probe_values(probes,
-                        body.topology,
-                        force,
-                        nullptr,
-                        body.state,
-                        velocities(body.state),
-                        communicator);
+    for (const Component &component :
+         {Component{"displacement", "m", FieldLocation::node, 0},
+          Component{"velocity", "m/s", FieldLocation::node, 2},
+          Component{"stress", "Pa", FieldLocation::cell, 4},
+          Component{"pressure", "Pa", FieldLocation::cell, 0}})
+      probes.emplace_back(body.topology,
+                          body.reference,
+                          body.state,
+                          ProbeParameters{"p", component, "", boundary, point},
+                          surface,
+                          communicator);
+    FieldList fields(body.state, 0);
+    declare_nodal_fields(fields);
+    InternalForce::declare_fields(fields, &force);
+    return probe_values(probes, body.topology, fields, communicator);
   }
 
   /** Part of a box, undeformed, that this rank sees. */
@@ -154,6 +151,23 @@ TEST(Probes, LinearFieldOverABoundary)
     values(box.local, "x_max", {}, plane_surface(box.local, 0, 3), box.all)[0],
     3 + 5 + 7,
     1e-14);
+}
+
+TEST(Probes, OfAFieldThatTheSceneDoesNotHave)
+{
+  BoxPart     box(4);
+  const Probe probe(
+    box.local.topology,
+    box.local.reference,
+    box.local.state,
+    {"p", {"force", "N", FieldLocation::material, 0}, "a", "", {}},
+    {},
+    box.all);
+  EXPECT_EQ(probe.header(), "p [N]");
+  EXPECT_EQ(
+    message_of<InputError>([&] { probe.sum(box.local.topology, FieldList()); }),
+    "subsection \"Probe p\": nothing in this scene has the field "
+    "\"force\".");
 }
 
 TEST(Probes, PointOutsideIsAnErrorOnAllRanks)

@@ -6,6 +6,7 @@
 
 #include "../cohesive/breaking_body.h"
 #include "../support/divided_body.h"
+#include "../support/vtu_file.h"
 
 using namespace rift;
 using namespace rift::test;
@@ -91,31 +92,36 @@ namespace
   }
 
   Solution
-  solid(const DiscreteBody &body, const Communicator &communicator)
+  solid(const DiscreteBody   &body,
+        const Communicator   &communicator,
+        const FieldSelection &wanted = {})
   {
     const InternalForce force(body.topology,
                               body.reference,
                               laws_of(two_granites()));
-    return solid_solution(
-      body.topology,
-      body.state,
-      force,
-      velocities(body.state),
-      number_fragments(body.topology, body.reference, densities, communicator));
+    const auto          fragments =
+      number_fragments(body.topology, body.reference, densities, communicator);
+    FieldList fields(body.state, 0);
+    declare_nodal_fields(fields);
+    InternalForce::declare_fields(fields, &force);
+    declare_labels(fields, &body.topology, &fragments);
+    return solid_solution(body.topology, fields, wanted);
   }
 
   /** All faces that are cut have begun to open and have been worked on. */
   Solution
-  fracture(DiscreteBody &body)
+  fracture(DiscreteBody &body, const FieldSelection &wanted = {})
   {
-    const FaceStrengths        strengths(body.topology,
+    const FaceStrengths strengths(body.topology,
                                   body.reference,
                                   two_granites(),
                                   {});
+    CohesiveParameters  extrinsic;
+    extrinsic.model = CohesiveModel::extrinsic;
     CohesiveForce              force(body.topology,
                         body.reference,
                         strengths,
-                        CohesiveParameters::Model::extrinsic,
+                        extrinsic,
                         [](FaceIndex) { return 1e13; });
     std::vector<OpeningCorner> openings;
     for (FaceIndex face = 0; face < body.topology.faces.size(); ++face)
@@ -125,7 +131,10 @@ namespace
         openings.push_back({face, c, {{0, 0, 0}}});
     force.start_openings(body.state, openings);
     force.add_to(body.state, Activity(body.topology));
-    return fracture_solution(body.topology, body.state, force);
+    FieldList fields(body.state, 0);
+    declare_nodal_fields(fields);
+    CohesiveForce::declare_fields(fields, &force);
+    return fracture_solution(body.topology, force, fields, wanted);
   }
 
   std::string
@@ -162,6 +171,148 @@ TEST(SolutionFields, PiecesMakeTheWholeFracture)
       EXPECT_EQ(expected.size(), divided.cuts.size());
       EXPECT_EQ(all_rows(piece, all), expected) << "seed " << seed;
     }
+}
+
+namespace
+{
+  /** Where a point was, and its displacement in single precision. */
+  using PointRow = std::pair<Vector3<double>, std::array<float, dim>>;
+
+  PointRow
+  row_of(const Vector3<double> &reference, const Vector3<double> &displacement)
+  {
+    PointRow row{reference, {}};
+    std::copy(displacement.begin(), displacement.end(), row.second.begin());
+    return row;
+  }
+
+  /** Points and displacements of a file. */
+  std::vector<PointRow>
+  read_points(const Solution &solution)
+  {
+    const TemporaryDirectory directory;
+    write_vtu(directory / "s.vtu", 0, solution);
+    const VtuFile         file(directory / "s.vtu");
+    const auto            points       = file.array<double>("Points");
+    const auto            displacement = file.array<float>("displacement [m]");
+    std::vector<PointRow> rows(points.size() / dim);
+    EXPECT_EQ(points.size(), displacement.size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          rows[i].first[d]  = points[dim * i + d];
+          rows[i].second[d] = displacement[dim * i + d];
+        }
+    return rows;
+  }
+
+  /** A body that has been cut, broken and moved, far from the origin. */
+  DiscreteBody
+  body_in_a_mine()
+  {
+    DiscreteBody body = DividedBody(1, this_rank_alone).whole;
+    for (NodalVector &x : body.state.reference)
+      x[1] += 5.1e5;
+    return body;
+  }
+} // namespace
+
+TEST(SolutionFields, PointsAreThoseOfTheUndeformedBody)
+{
+  const DiscreteBody    body  = body_in_a_mine();
+  const State          &state = body.state;
+  std::vector<PointRow> expected;
+  for (NodeIndex node = 0; node < state.n_nodes(); ++node)
+    expected.push_back(row_of(state.reference[node].vector(),
+                              state.displacement[node].vector()));
+  EXPECT_EQ(read_points(solid(body, this_rank_alone)), expected);
+}
+
+TEST(SolutionFields, FacesStandInTheUndeformedBodyToo)
+{
+  DiscreteBody       body     = body_in_a_mine();
+  const Topology    &topology = body.topology;
+  const auto         rows     = read_points(fracture(body));
+  std::set<PointRow> expected;
+  for (FaceIndex face = 0; face < topology.faces.size(); ++face)
+    for (unsigned int c = 0; c < 3; ++c)
+      if (topology.face_states[face] != FaceState::intact)
+        {
+          const auto &[cells, local_faces] = topology.faces[face];
+          const NodeIndex minus =
+            topology.node(cells[0], face_corners[local_faces[0]][c]);
+          const NodeIndex plus = topology.node(
+            cells[1],
+            topology.corner_at_vertex(cells[1], topology.node_vertices[minus]));
+          expected.insert(
+            row_of(body.state.reference[plus].vector(),
+                   .5 * (body.state.displacement[minus].vector() +
+                         body.state.displacement[plus].vector())));
+        }
+  EXPECT_GT(rows.size(), 50u);
+  EXPECT_EQ((std::set<PointRow>(rows.begin(), rows.end())), expected);
+}
+
+namespace
+{
+  std::vector<std::string>
+  names(const std::vector<OutputField> &fields)
+  {
+    std::vector<std::string> result;
+    for (const OutputField &field : fields)
+      result.push_back(field.name);
+    return result;
+  }
+} // namespace
+
+TEST(SolutionFields, OnlyThoseThatAreWanted)
+{
+  using Names       = std::vector<std::string>;
+  DiscreteBody body = DividedBody(1, this_rank_alone).whole;
+
+  Solution piece = solid(body, this_rank_alone);
+  EXPECT_EQ(names(piece.point_data),
+            (Names{"displacement [m]", "velocity [m/s]"}));
+  EXPECT_EQ(names(piece.cell_data),
+            (Names{"stress [Pa]", "material", "fragment"}));
+  piece = fracture(body);
+  EXPECT_EQ(names(piece.point_data), Names{"displacement [m]"});
+  EXPECT_EQ(names(piece.cell_data),
+            (Names{"damage",
+                   "mode",
+                   "opening [m]",
+                   "slip [m]",
+                   "normal traction [Pa]",
+                   "shear traction [Pa]",
+                   "time of insertion [s]",
+                   "time of failure [s]"}));
+
+  const FieldSelection some{{"slip", "pressure", "velocity"}};
+  piece = solid(body, this_rank_alone, {{"principal stress"}});
+  EXPECT_EQ(piece.cell_data.at(0).components, (Names{"1", "2", "3"}));
+  piece = solid(body, this_rank_alone, {{"velocity"}});
+  EXPECT_TRUE(piece.point_data.at(0).components.empty());
+  piece = solid(body, this_rank_alone, some);
+  EXPECT_EQ(names(piece.point_data), Names{"velocity [m/s]"});
+  EXPECT_EQ(names(piece.cell_data), Names{"pressure [Pa]"});
+  piece = fracture(body, some);
+  EXPECT_TRUE(piece.point_data.empty());
+  EXPECT_EQ(names(piece.cell_data), Names{"slip [m]"});
+
+  // Without values, and with them.
+  Names known, written;
+  for (const Field &field : known_output_fields())
+    if (field.location != FieldLocation::material)
+      known.push_back(title(field.name, field.unit));
+  for (const Solution &all :
+       {solid(body, this_rank_alone, {{"all"}}), fracture(body, {{"all"}})})
+    for (const auto *fields : {&all.point_data, &all.cell_data})
+      for (const std::string &name : names(*fields))
+        written.push_back(name);
+  std::sort(known.begin(), known.end());
+  std::sort(written.begin(), written.end());
+  written.erase(std::unique(written.begin(), written.end()), written.end());
+  EXPECT_EQ(known, written);
 }
 
 TEST(StateHash, IsTheSameOnAnyNumberOfRanks)

@@ -36,6 +36,7 @@ TEST(Summary, EveryKeyInOrder)
   write_summary(directory / "summary.json", summary);
   EXPECT_EQ(read_file(directory / "summary.json"), R"({
   "version": "0.1.0",
+  "completed": true,
   "cells": 31564,
   "nodes_initial": 6000,
   "nodes_final": 6500,
@@ -63,6 +64,20 @@ TEST(Summary, EveryKeyInOrder)
   }
 }
 )");
+}
+
+TEST(Summary, OfARunThatHasFailed)
+{
+  const TemporaryDirectory directory;
+  Summary                  summary;
+  summary.version    = "0.1.0";
+  summary.stopped_by = "a \"guard\"";
+  write_summary(directory / "summary.json", summary);
+  EXPECT_NE(read_file(directory / "summary.json")
+              .find("{\n  \"version\": \"0.1.0\",\n  \"completed\": "
+                    "false,\n  \"stopped_by\": \"a \\\"guard\\\"\",\n  "
+                    "\"cells\": 0,\n"),
+            std::string::npos);
 }
 
 TEST(Summary, NamesThatAreNotUtf8)

@@ -29,7 +29,8 @@ namespace
       velocity.values.push_back(0.5f * i);
     solution.point_data = {velocity, {"a <\"&> b", 1, {1, 2, 3, 4, 5}}};
     solution.cell_data  = {
-       {"stress [Pa]", 6, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}}};
+       {"stress [Pa]", 6, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}},
+       {"axes [m]", 3, {1, 2, 3, 4, 5, 6}, {"long", "middle", "short"}}};
     return solution;
   }
 } // namespace
@@ -71,6 +72,8 @@ TEST(VtuOutput, FieldsReadBack)
   EXPECT_EQ(
     attribute(file.array_element("velocity [m/s]"), "NumberOfComponents"),
     "3");
+  EXPECT_EQ(attribute(file.array_element("velocity [m/s]"), "ComponentName0"),
+            "(none)");
   EXPECT_EQ(file.array<float>("a &lt;&quot;&amp;&gt; b"),
             solution.point_data[1].values);
 
@@ -80,6 +83,10 @@ TEST(VtuOutput, FieldsReadBack)
   const std::string stress = file.array_element("stress [Pa]");
   EXPECT_EQ(attribute(stress, "NumberOfComponents"), "6");
   EXPECT_EQ(attribute(stress, "ComponentName3"), "XY");
+
+  const std::string axes = file.array_element("axes [m]");
+  EXPECT_EQ(attribute(axes, "ComponentName0"), "long");
+  EXPECT_EQ(attribute(axes, "ComponentName2"), "short");
 
   const auto point_data = file.content.find("<PointData>");
   const auto cell_data  = file.content.find("<CellData>");

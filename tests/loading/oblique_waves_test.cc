@@ -196,6 +196,7 @@ namespace
                        material);
       const auto  stiffness = stiffness_matrix(make_elasticity(material));
       AbsorbingBoundary boundary(
+        "end",
         body.topology,
         body.discrete.reference,
         plane_surface(body.discrete, 0, length),

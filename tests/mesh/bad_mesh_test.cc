@@ -169,6 +169,33 @@ TEST_F(BadMesh, NamesUsedTwice)
             "Give it one in gmsh: Physical Volume(\"name\", 2) = ...;");
 }
 
+TEST_F(BadMesh, NamesThatDifferByBlanksAlone)
+{
+  MshText text  = two_tetrahedra();
+  text.names    = {"3 1 \"hard  rock\"", "3 2 \" hard rock \""};
+  text.elements = {"4 2 1 1 1 2 3 4", "4 2 2 2 1 3 2 5"};
+  EXPECT_EQ(message(text),
+            "a.msh: the physical volumes 1 and 2 have the same name 'hard "
+            "rock'; blanks at its ends and doubled ones do not count. Rename "
+            "one of them, or make one group of both.");
+  text.names    = {"3 1 \"rock\"", "2 4 \"end\"", "2 7 \"end \""};
+  text.elements = {"4 2 1 1 1 2 3 4", "2 2 4 4 1 2 4", "2 2 7 7 1 3 4"};
+  text.nodes.pop_back();
+  EXPECT_EQ(message(text),
+            "a.msh: the physical surfaces 4 and 7 have the same name 'end'; "
+            "blanks at its ends and doubled ones do not count. Rename one of "
+            "them, or make one group of both.");
+}
+
+TEST_F(BadMesh, NameOfBlanksAlone)
+{
+  MshText text = two_tetrahedra();
+  text.names   = {"3 1 \"  \""};
+  EXPECT_EQ(message(text),
+            "a.msh: unnamed region: physical volume 1 has no name of its own. "
+            "Give it one in gmsh: Physical Volume(\"name\", 1) = ...;");
+}
+
 TEST_F(BadMesh, VolumeOfTwoMaterials)
 {
   EXPECT_EQ(message("SetFactory(\"OpenCASCADE\");\n"

@@ -178,6 +178,22 @@ TEST(GmshReader, NamesFollowPhysicalTagsAndInternalSurfacesAreKept)
   EXPECT_NEAR(normal[0], -1, 1e-12);
 }
 
+TEST(GmshReader, NamesHaveTheBlanksOfAScene)
+{
+  const TemporaryDirectory directory;
+  MshText                  text = two_tetrahedra();
+  text.names                    = {"3 1 \" coarse   granite  \"",
+                                   "2 4 \"  upper\tend \"",
+                                   "2 5 \"upper\""};
+  text.elements.push_back("2 2 4 4 1 2 4");
+  text.elements.push_back("2 2 5 5 1 3 4");
+  write_file(directory / "a.msh", text.str());
+  const MeshData mesh = read_mesh(from_file(directory / "a.msh"));
+  EXPECT_EQ(mesh.material_names, (std::vector<std::string>{"coarse granite"}));
+  EXPECT_EQ(mesh.surface_names,
+            (std::vector<std::string>{"upper end", "upper"}));
+}
+
 TEST(GmshReader, NumbersReachTheScript)
 {
   const TemporaryDirectory directory;

@@ -33,3 +33,15 @@ says "rift: error: Cannot write run/log.txt: File too large" said
 mv log.txt run/log.txt
 expect 0 "$ranks" "${arguments[@]}" --output run --restart
 same_results whole run
+
+# One of the files of the end cannot be written: the others are.
+for name in fragments.csv summary.json; do
+  mkdir -p "without_$name/$name"
+  expect 3 "$ranks" "$here/bar.prm" --output "without_$name"
+  says "rift: error: Cannot [a-z]* without_$name/$name: Is a directory. " said
+  for other in fragments.csv summary.json energy.csv probes.csv; do
+    [ $other = $name ] || [ -s "without_$name/$other" ] ||
+      fail "without $name there is no $other"
+  done
+  cmp whole/energy.csv "without_$name/energy.csv" || fail "energy.csv differs"
+done

@@ -203,7 +203,7 @@ TEST(Contact, SlidingBlockStopsWhereItShould)
   EXPECT_LT(simulation.energy_ledger().largest_relative_residual(), 2e-3);
   // All of its energy has gone into friction but for a little.
   const Energies energies = simulation.energy_ledger().energies();
-  EXPECT_NEAR(energies.friction / (.5 * 2700 * 4e-6 * 4), 1, .03);
+  EXPECT_NEAR(energies["friction"] / (.5 * 2700 * 4e-6 * 4), 1, .03);
 }
 
 // On a plane inclined by 20 or 35 degrees, the coefficient of friction being

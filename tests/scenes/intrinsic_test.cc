@@ -134,5 +134,5 @@ TEST(IntrinsicModel, PartsAllCells)
   };
   EXPECT_NEAR(mass(simulation), mass(plain), 1e-12 * mass(plain));
   for (const FaceState state : topology.face_states)
-    EXPECT_EQ(state, FaceState::cohesive);
+    EXPECT_EQ(state, FaceState::cut);
 }

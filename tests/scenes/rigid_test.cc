@@ -86,7 +86,7 @@ TEST(Rigid, DrivenHammerFeelsTheImpedance)
               1,
               .01);
   EXPECT_LT(simulation.energy_ledger().largest_relative_residual(), 1e-3);
-  EXPECT_GT(simulation.energy_ledger().energies().loads, 0);
+  EXPECT_GT(simulation.energy_ledger().energies()["loads"], 0);
 }
 
 TEST(Rigid, GrazingBodiesKeepTheirMomenta)

@@ -102,7 +102,7 @@ namespace
                   "energy balance closes to 1e-4: {}\n",
                   simulation.state().step,
                   1e6 * simulation.state().time,
-                  digits(ledger.energies().loads),
+                  digits(ledger.energies()["loads"]),
                   ledger.largest_relative_residual() <= 1e-4 ? "yes" : "no");
     return text + extremes_of_probes(directory / "results/probes.csv");
   }

@@ -58,6 +58,39 @@ namespace
     return result;
   }
 
+  /** What output and probes can have of a Cauchy stress. */
+  void
+  test_fields(const ElasticBody     &body,
+              const Matrix3<double> &expected,
+              const double           tolerance)
+  {
+    FieldList fields(body.state, 0);
+    InternalForce::declare_fields(fields, &body.force);
+    const auto value = [&](const char *name) {
+      Vector3<double> values{};
+      fields.find(name, FieldLocation::cell)->values(0, values.data());
+      return values;
+    };
+    double trace = 0, square = 0;
+    for (unsigned int i = 0; i < 3; ++i)
+      {
+        trace += expected[i][i];
+        square += dot(expected[i], expected[i]);
+      }
+    EXPECT_NEAR(value("pressure")[0], -trace / 3, tolerance);
+
+    // Their invariants are those of the stress.
+    const Vector3<double> principal = value("principal stress");
+    EXPECT_GE(principal[0], principal[1]);
+    EXPECT_GE(principal[1], principal[2]);
+    const double size = std::sqrt(square);
+    EXPECT_NEAR(principal[0] + principal[1] + principal[2], trace, tolerance);
+    EXPECT_NEAR(dot(principal, principal), square, tolerance * size);
+    EXPECT_NEAR(principal[0] * principal[1] * principal[2],
+                determinant(expected),
+                tolerance * size * size);
+  }
+
   void
   test_patch(const MaterialParameters &material,
              const Tensor4            &tensor,
@@ -79,6 +112,7 @@ namespace
             for (unsigned int j = 0; j < 3; ++j)
               EXPECT_NEAR(sigma[i][j], expected[i][j], tolerance);
         }
+    test_fields(body, expected, 10 * tolerance);
     const LargestForces forces = largest_forces(body);
     EXPECT_LT(forces.inside, 1e-12 * forces.at_surface);
   }

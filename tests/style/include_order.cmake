@@ -1,14 +1,15 @@
 cmake_minimum_required(VERSION 3.25)
 
-# Fails where a folder of ROOT includes from one that comes after it: the list
-# of folders is the order of the algorithm.
-set(order base mesh discretization material solid cohesive contact loading
-          rigid time_integration io app)
+#Fails where a folder of ROOT includes from one that comes after it : the list
+#of folders is the order of the algorithm.
+include(${ROOT}/cmake/folders.cmake)
+set(order ${rift_folders})
 
 foreach(folder ${order})
   list(APPEND allowed ${folder})
   file(GLOB_RECURSE files RELATIVE ${ROOT}
-    ${ROOT}/include/rift/${folder}/*.h ${ROOT}/source/${folder}/*.cc)
+    ${ROOT}/include/rift/${
+  folder}/*.h ${ROOT}/source/${folder}/*.cc)
   list(LENGTH files n_files)
   if(n_files EQUAL 0)
     message(SEND_ERROR "there are no files of the folder ${folder}")

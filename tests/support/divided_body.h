@@ -115,7 +115,7 @@ namespace rift::test
           if (topology.face_states[face] != FaceState::intact &&
               !topology.owns_cell(cells[0]) && !topology.owns_cell(cells[1]))
             topology.face_states[face] =
-              random() % 2 == 0 ? FaceState::broken : FaceState::cohesive;
+              random() % 2 == 0 ? FaceState::failed : FaceState::cut;
         }
     }
 
@@ -142,7 +142,7 @@ namespace rift::test
       cut(discrete, faces_at(discrete.topology, cuts, global_vertices));
       for (const FaceIndex face :
            faces_at(discrete.topology, broken, global_vertices))
-        discrete.topology.face_states[face] = FaceState::broken;
+        discrete.topology.face_states[face] = FaceState::failed;
       move_by_names(discrete.topology, discrete.state, global_vertices);
     }
   };

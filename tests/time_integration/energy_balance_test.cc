@@ -18,7 +18,7 @@ TEST(EnergyLedger, WhatIsNotANumberIsNoBalance)
   EnergyLedger ledger;
   ledger.enter({});
   Energies energies;
-  energies.kinetic = std::numeric_limits<double>::quiet_NaN();
+  energies.at("kinetic") = std::numeric_limits<double>::quiet_NaN();
   ledger.enter(energies);
   EXPECT_EQ(ledger.relative_residual(),
             std::numeric_limits<double>::infinity());
@@ -28,24 +28,24 @@ TEST(EnergyLedger, ResidualIsWhatCameFromNowhere)
 {
   EnergyLedger ledger;
   Energies     e;
-  e.kinetic = 3;
-  e.strain  = 1;
-  e.loads   = 2;
+  e.at("kinetic") = 3;
+  e.at("strain")  = 1;
+  e.at("loads")   = 2;
   ledger.enter(e);
   EXPECT_EQ(ledger.residual(), 0);
 
-  e.kinetic  = 4;
-  e.cohesive = .5;
-  e.fracture = .25;
-  e.contact  = .125;
-  e.friction = 1;
-  e.damping  = 2;
-  e.loads    = 6;
+  e.at("kinetic")  = 4;
+  e.at("cohesive") = .5;
+  e.at("fracture") = .25;
+  e.at("contact")  = .125;
+  e.at("friction") = 1;
+  e.at("damping")  = 2;
+  e.at("loads")    = 6;
   ledger.enter(e);
   EXPECT_DOUBLE_EQ(e.total(), 8.875);
   EXPECT_DOUBLE_EQ(ledger.residual(), 8.875 - 6 - 2);
   EXPECT_DOUBLE_EQ(ledger.relative_residual(), .875 / 8);
-  e.kinetic = 3;
+  e.at("kinetic") = 3;
   ledger.enter(e);
   EXPECT_DOUBLE_EQ(ledger.residual(), -.125);
   EXPECT_DOUBLE_EQ(ledger.largest_relative_residual(), .875 / 8);
@@ -69,7 +69,7 @@ namespace
                 const bool   damped)
       : body(make_box({{2, 2, 4}}, 1, .1), random_rock())
       , dt(share_of_step * body.critical_step(eta))
-      , gravity(BodyForceParameters{{{2 * size, -.3 * size, -9.81 * size}}})
+      , gravity(Vector3<double>{{2 * size, -.3 * size, -9.81 * size}})
     {
       // In units of the time that a wave takes through an element.
       const std::string omega = std::to_string(.05 / body.critical_step(eta));
@@ -135,20 +135,20 @@ namespace
     void
     enter()
     {
-      EnergySums sums;
-      sums.kinetic = kinetic_energy(body.topology, body.state, dt);
-      sums.strain  = body.force.strain_energy(body.state);
-      sums.loads   = motion->work().sum();
-      sums.loads.add(gravity.work(body.topology, body.state));
+      EnergyTable sums;
+      sums["kinetic"] = kinetic_energy(body.topology, body.state, dt);
+      sums["strain"]  = body.force.strain_energy(body.state);
+      sums["loads"]   = motion->work().sum();
+      sums["loads"].add(gravity.work(body.topology, body.state));
       for (auto &load : loads)
         {
           load.count_work(body.state, dt);
-          sums.loads.add(load.work().sum());
+          sums["loads"].add(load.work().sum());
         }
       if (damping)
         {
           damping->count_work(body.state, dt);
-          sums.damping = damping->work().sum();
+          sums["damping"] = damping->work().sum();
         }
       ledger.enter(sums.total(Communicator()));
     }
@@ -171,8 +171,8 @@ TEST(EnergyBalance, ClosesForALinearBodyUnderAllLoads)
         EXPECT_LT(block.run(1500), 1e-12);
         // All of it is in play.
         const Energies &e = block.ledger.energies();
-        EXPECT_GT(e.kinetic, 0);
-        EXPECT_GT(e.strain, .01 * std::abs(e.loads));
-        EXPECT_EQ(e.damping > .01 * std::abs(e.loads), damped);
+        EXPECT_GT(e["kinetic"], 0);
+        EXPECT_GT(e["strain"], .01 * std::abs(e["loads"]));
+        EXPECT_EQ(e["damping"] > .01 * std::abs(e["loads"]), damped);
       }
 }

@@ -5,6 +5,7 @@
 #include <rift/base/communicator.h>
 #include <rift/discretization/discretization.h>
 #include <rift/io/log.h>
+#include <rift/material/elasticity.h>
 #include <rift/mesh/surface.h>
 
 #include <map>
@@ -21,6 +22,8 @@ namespace rift
 
     /** By material index of the mesh. */
     std::vector<MaterialParameters> materials;
+    std::vector<Elasticity>         laws;
+    std::vector<StiffnessMatrix>    stiffnesses;
 
     /** The named parts of its outer surface. */
     std::map<std::string, Surface> surfaces;

@@ -8,6 +8,7 @@
 #include <rift/loading/loading_parameters.h>
 #include <rift/material/material_parameters.h>
 #include <rift/mesh/mesh_parameters.h>
+#include <rift/module/module_parameters.h>
 #include <rift/time_integration/time_parameters.h>
 
 #include <iosfwd>
@@ -24,13 +25,15 @@ namespace rift
     MeshParameters                  mesh;
     std::vector<MaterialParameters> materials;
     std::vector<BoundaryParameters> boundaries;
-    BodyForceParameters             body_force;
     CohesiveParameters              cohesive;
     ContactParameters               contact;
     TimeParameters                  time;
     OutputParameters                output;
     CheckpointParameters            checkpoint;
     std::vector<ProbeParameters>    probes;
+
+    /** Of the modules that have a subsection of their own. */
+    std::vector<std::shared_ptr<const ModuleParameters>> modules;
 
     /** The same as the text of a .prm; see used_parameters(). */
     std::string used_text;

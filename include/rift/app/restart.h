@@ -3,14 +3,14 @@
 
 #include <rift/app/parameters.h>
 #include <rift/app/results.h>
-#include <rift/app/saved_state.h>
+#include <rift/base/archive.h>
+#include <rift/io/checkpoint_set.h>
 #include <rift/io/log.h>
 #include <rift/mesh/mesh_data.h>
-#include <rift/time_integration/energy_ledger.h>
 
 namespace rift
 {
-  /** All of a checkpoint, as a simulation needs it to go on. */
+  /** All of a checkpoint, as a simulation needs it to continue. */
   struct Restart
   {
     CheckpointManifest manifest;
@@ -19,23 +19,24 @@ namespace rift
     /** On rank 0. */
     MeshData mesh;
 
-    /** Of all ranks together. */
-    SavedState state;
+    /** What all ranks have written. */
+    Archive archive;
 
-    /** Totals of the works; on rank 0. */
-    std::vector<ExactSum> works;
+    SavedResults results;
+  };
 
-    EnergyLedger::Record ledger{};
-    SavedResults         results;
+  /** How much a cell costs in a step, in units of an elastic cell at work;
+   * stored where that is not 1. */
+  struct CellCost
+  {
+    GlobalCellIndex cell;
+    float           cost;
+  };
 
-    /** s */
-    double time_step = 0;
-
-    /** Time that a cohesive face takes in a step over that of a cell. */
-    double face_cost = 0;
-
-    /** ContactForce::has_changed(). */
-    std::uint64_t have_cracks_changed = 0;
+  template <>
+  struct HasPlainBytes<CellCost> : std::true_type
+  {
+    static_assert(sizeof(CellCost) == 2 * 4);
   };
 
   /**

@@ -1,14 +1,13 @@
 #ifndef rift_app_results_h
 #define rift_app_results_h
 
-#include <rift/app/body.h>
+#include <rift/app/module_list.h>
 #include <rift/base/stage_timer.h>
-#include <rift/cohesive/cohesive_force.h>
 #include <rift/io/checkpoint_file.h>
 #include <rift/io/probes.h>
 #include <rift/io/summary.h>
 #include <rift/io/vtu_output.h>
-#include <rift/solid/internal_force.h>
+#include <rift/rigid/rigid_bodies.h>
 #include <rift/time_integration/energy_ledger.h>
 
 #include <optional>
@@ -18,15 +17,8 @@ namespace rift
   /** What results are made from, at one time t_n. */
   struct Snapshot
   {
-    const Body          &body;
-    const InternalForce &internal_force;
-
-    /** Null without a cohesive model. */
-    const CohesiveForce *cohesive_force;
-
-    /** Null where there are none. */
-    const RigidBodies *rigid_bodies;
-
+    const Body         &body;
+    const Modules      &modules;
     const EnergyLedger &ledger;
     double              time_step;
   };
@@ -67,17 +59,21 @@ namespace rift
      * Makes the output directory ready and writes parameters.prm. Without this
      * call nothing is ever due.
      *
+     * @param energies whose names become the columns of energy.csv.
      * @throws InputError or DiskError if the directory cannot be used.
      */
     void
-    open(const Parameters &parameters, Log &log);
+    open(const Parameters &parameters, const Energies &energies, Log &log);
 
     /**
      * Like open(), but goes on after a restart: what is behind the checkpoint
      * will be written again.
      */
     void
-    reopen(const Parameters &parameters, const SavedResults &saved, Log &log);
+    reopen(const Parameters   &parameters,
+           const Energies     &energies,
+           const SavedResults &saved,
+           Log                &log);
 
     /** Brings the histories to the disk and says how far all has come. */
     SavedResults
@@ -97,11 +93,18 @@ namespace rift
     bool
     is_solution_due(double time, double time_step) const;
 
+    /** Whether states for ParaView are written at all. */
+    bool
+    has_solutions() const
+    {
+      return solid.has_value();
+    }
+
     /** Adds a row to energy.csv and probes.csv. */
     void
     write_history(const Snapshot &snapshot);
 
-    /** Adds a state to solid.pvd and fracture.pvd. */
+    /** Adds a state to solid.pvd and fracture.pvd, if there are any. */
     void
     write_solution(const Snapshot &snapshot);
 
@@ -110,7 +113,8 @@ namespace rift
     flush();
 
     /**
-     * Writes fragments.csv and summary.json.
+     * Writes fragments.csv and summary.json: at the end, or where the run has
+     * failed.
      *
      * @param summary with what the snapshot does not tell.
      */
@@ -120,7 +124,9 @@ namespace rift
   private:
     /** What open() does on rank 0. */
     void
-    open_files(const Parameters &parameters, Log &log);
+    open_files(const Parameters &parameters,
+               const Energies   &energies,
+               Log              &log);
 
     void
     make_series(const Parameters &parameters);
@@ -134,13 +140,14 @@ namespace rift
       return directory + "/" + file;
     }
 
-    const Communicator communicator;
-    const std::string  directory;
-    const double       solution_interval, history_interval;
-    const int          ranks_per_file;
-    bool               was_opened  = false;
-    std::uint64_t      n_solutions = 0, n_rows = 0;
-    const std::size_t  initial_nodes;
+    const Communicator   communicator;
+    const std::string    directory;
+    const double         solution_interval, history_interval;
+    const int            ranks_per_file;
+    const FieldSelection output_fields;
+    bool                 was_opened  = false;
+    std::uint64_t        n_solutions = 0, n_rows = 0;
+    const std::size_t    initial_nodes;
 
     std::vector<Probe> probes;
 

@@ -1,33 +1,26 @@
 #ifndef rift_app_simulation_h
 #define rift_app_simulation_h
 
-#include <rift/app/body.h>
-#include <rift/app/parameters.h>
+#include <rift/app/module_list.h>
 #include <rift/app/restart.h>
 #include <rift/app/results.h>
+#include <rift/app/run_record.h>
 #include <rift/base/signals.h>
-#include <rift/base/stage_timer.h>
-#include <rift/cohesive/cohesive_force.h>
-#include <rift/cohesive/insertion.h>
-#include <rift/contact/contact_force.h>
 #include <rift/io/checkpoint_writer.h>
-#include <rift/loading/absorbing_boundary.h>
-#include <rift/loading/body_force.h>
-#include <rift/loading/prescribed_motion.h>
-#include <rift/loading/surface_load.h>
-#include <rift/rigid/rigid_bodies.h>
-#include <rift/solid/damping.h>
 #include <rift/time_integration/critical_time_step.h>
 #include <rift/time_integration/energy_ledger.h>
+#include <rift/time_integration/step_choice.h>
 
 #include <chrono>
+#include <functional>
+#include <memory>
 #include <optional>
 
 namespace rift
 {
   /**
    * A scene in motion: the body, the modules that act on it and the loop over
-   * the steps. Modules that the scene does not need are not constructed.
+   * the steps.
    */
   class Simulation
   {
@@ -38,11 +31,14 @@ namespace rift
      * @param log must outlive this object.
      * @param communicator of the ranks among which the body is divided.
      * @param restart where to go on from; null: from the start.
+     * @param record of the run so far, when its cells are divided anew.
      */
-    Simulation(const Parameters   &parameters,
-               Log                &log,
-               const Communicator &communicator = Communicator(MPI_COMM_WORLD),
-               const Restart      *restart      = nullptr);
+    Simulation(
+      const Parameters          &parameters,
+      Log                       &log,
+      const Communicator        &communicator = Communicator(MPI_COMM_WORLD),
+      const Restart             *restart      = nullptr,
+      std::shared_ptr<RunRecord> record       = std::make_shared<RunRecord>());
 
     /** How run() has ended. */
     enum class End
@@ -93,79 +89,52 @@ namespace rift
     double
     time_step() const
     {
-      return dt;
+      return steps.time_step;
     }
 
     std::uint64_t
     n_steps() const
     {
-      return last_step;
+      return steps.last_step;
     }
 
   private:
-    /** The cohesive elements; absent without a model. */
-    struct Fracture
-    {
-      Fracture(Topology                              &topology,
-               const ReferenceCellData               &reference,
-               const std::vector<MaterialParameters> &materials,
-               const CohesiveParameters              &parameters,
-               const FaceSlope                       &slope,
-               const Communicator                    &communicator)
-        : strengths(topology, reference, materials, parameters, communicator)
-        , force(topology,
-                reference,
-                strengths,
-                parameters.model,
-                slope,
-                parameters.least_share)
-      {
-      }
-
-      FaceStrengths strengths;
-      CohesiveForce force;
-
-      /** In the extrinsic model. */
-      std::optional<Insertion> insertion;
-    };
-
     void
-    make_modules();
+    choose_time_step(const Restart *restart);
 
+    /** Makes the modules ready and moves the body to where it starts. */
     void
-    make_fracture();
+    prepare(const Restart *restart);
 
+    /** What the modules see of the step. */
+    StepContext
+    step_context();
+
+    /** Cuts the faces that modules have chosen. */
+    TopologyChange
+    cut_faces(StepContext &step);
+
+    /** Has ghost cells follow their owners and tells other ranks of cracks.
+     * Collective. */
     void
-    make_rigid_bodies();
-
-    void
-    make_contact();
-
-    /** What contact has to know of the cells. */
-    std::vector<ContactCellConstants>
-    contact_constants() const;
-
-    PenaltySlopes
-    penalty_slopes() const;
+    follow_owners(StepContext &step, const TopologyChange &change);
 
     /** Writes a checkpoint of the state between two steps. Collective. */
     void
     write_checkpoint();
 
-    void
-    choose_time_step(const Restart *restart);
+    /** Everything that a restart needs to know. Collective. */
+    Archive
+    archive() const;
 
-    /** Moves the intact body to where the checkpoint has it. */
-    void
-    restore(const Restart &restart);
+    /** What the cells of this rank cost. Collective. */
+    std::vector<CellCost>
+    cell_costs() const;
 
-    /** The sums that a checkpoint must hold, always in the same order. */
-    std::vector<ExactSum *>
-    work_sums();
-
-    /** Time that a cohesive face takes in a step over that of a cell. */
+    /** Time that an item of a module takes in a step over that of a cell.
+     * Collective. */
     double
-    face_cost() const;
+    cost_per_item(Stage stage, std::int64_t n_items) const;
 
     /** Whether one rank computes too long while the others wait. Collective. */
     bool
@@ -174,55 +143,66 @@ namespace rift
     [[noreturn]] void
     stop() const;
 
+    /** Collective. */
+    FaceCounts
+    count_faces() const;
+
+    /** What the run has come to so far. Collective. */
+    Summary
+    summarize() const;
+
     /** Writes the last results. */
     void
-    finish(double cell_steps_per_second);
+    finish();
 
-    /** Cuts faces; returns the nodes that this has split. */
-    TopologyChange
-    split_at(const std::vector<FaceIndex> &faces);
-
-    /** Exchanges positions with the other ranks, and what has opened. */
+    /**
+     * Writes what a run has come to that has failed: a last row of the
+     * histories, a last state and the summary. An error on the way goes to the
+     * log, so that the first one can still be thrown. Collective.
+     */
     void
-    follow_neighbours(const std::vector<NodeSplit> &splits,
-                      std::vector<OpeningCorner>   &openings);
+    finish_failed(const std::string &message);
 
-    /** Has the loads take in new nodes. */
+    /** Says how the run has ended, with warnings. */
     void
-    update_surfaces();
+    log_end(const FaceCounts &faces);
 
-    void
-    count_work();
+    /** What the modules have of the energies at t_n. */
+    EnergyTable
+    energies() const;
 
-    /** Enters the energies at t_n into the ledger and judges the residual. */
+    /** Enters the energies at t_n into the ledger. */
     void
-    balance_energy();
+    enter_energies();
+
+    /** @throws RunError on all ranks if the residual is too large. */
+    void
+    judge_residual() const;
 
     void
     write_due_results();
 
-    /** Keeps in mind that a cell has left its range, until agree(). */
+    /** Calls `f`; a RunError that all ranks throw there is kept in mind until
+     * this step, or the next, is complete up to its results. */
     void
-    note_failure(const FailedCell &failed);
-
-    void
-    note_failure(const DeepOverlap &deep);
+    guard(const std::function<void()> &f);
 
     /**
      * Finds out whether all ranks are well. Each rank goes on after a failure
      * until then, so that none waits for it in vain. Collective.
      *
-     * @throws RunError on all ranks if a cell has left its range on any.
+     * @throws RunError on all ranks if something has failed on any.
      */
     void
     agree();
 
-    [[noreturn]] void
-    stop_failed() const;
+    /** Throws the first failure of all ranks, if there is any. Collective. */
+    void
+    throw_first_failure() const;
 
     /** "step 12, t = 1e-6 s, time step 0.9 times its safe bound" */
     std::string
-    moment_text() const;
+    moment_text(std::uint64_t step) const;
 
     /** "the fastest node moves with 7 m/s at (0, 0, 0) m" */
     std::string
@@ -231,40 +211,19 @@ namespace rift
     Snapshot
     snapshot() const;
 
-    /** The first cell that has left its range, and when. */
-    struct Failure
-    {
-      std::uint64_t   step;
-      GlobalCellIndex cell;
-      std::string     message;
-    };
+    const std::shared_ptr<RunRecord> record;
+    StageTimer                      &timer;
+    const Parameters                 parameters;
+    Log                             &log;
+    const MeshData                   mesh;
+    Body                             body;
+    Modules                          modules;
 
-    StageTimer       timer;
-    const Parameters parameters;
-    Log             &log;
-    const MeshData   mesh;
-    Body             body;
-
-    std::vector<double>             densities;
-    std::vector<Elasticity>         laws;
-    std::vector<StiffnessMatrix>    stiffnesses;
-    InternalForce                   internal_force;
-    Activity                        activity;
-    std::optional<Fracture>         fracture;
-    std::optional<ContactForce>     contact;
-    std::optional<Damping>          damping;
-    std::vector<SurfaceLoad>        surface_loads;
-    std::vector<AbsorbingBoundary>  absorbing_boundaries;
-    std::optional<BodyForce>        body_force;
-    std::optional<PrescribedMotion> prescribed_motion;
-    std::optional<RigidBodies>      rigid_bodies;
-
-    CohesiveFrequency penalty_frequency;
-    CriticalTimeStep  critical{};
-    double            dt        = 0;
-    std::uint64_t     last_step = 0;
-    EnergyLedger      ledger;
-    Results           results;
+    CriticalTimeStep critical{};
+    StepChoice       steps{};
+    EnergyLedger     ledger;
+    Failures         failures;
+    Results          results;
 
     /** Where the files of a run before have come to. */
     std::optional<SavedResults>     saved_results;
@@ -273,11 +232,9 @@ namespace rift
     const StopSignals *stop_signals = nullptr;
     bool               must_stop = false, is_checkpoint_due = false;
     double             busy_before = 0;
-    std::uint64_t      first_step  = 0;
 
     std::chrono::steady_clock::time_point last_checkpoint;
 
-    std::optional<Failure>                failure;
     std::uint64_t                         next_agreement         = 0;
     std::uint64_t                         step_of_last_agreement = 0;
     std::chrono::steady_clock::time_point last_agreement =

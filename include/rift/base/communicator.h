@@ -1,22 +1,28 @@
 #ifndef rift_base_communicator_h
 #define rift_base_communicator_h
 
+#include <rift/base/bytes.h>
+
 #include <mpi.h>
 
 #include <cstdint>
-#include <cstring>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace rift
 {
+  /** A number of bytes as MPI counts them. Throws RunError if it is too large.
+   */
+  int
+  mpi_count(std::size_t n_bytes);
+
   /**
    * The ranks that compute a scene together. What is called *collective* must
-   * be called on all of them in the same order. A communicator of one rank
-   * never calls MPI, so that it works where MPI has not been started.
+   * be called on all of them in the same order. `Communicator()` never calls
+   * MPI, so that it works where MPI has not been started.
    */
   class Communicator
   {
@@ -24,8 +30,12 @@ namespace rift
     /** This process alone. */
     Communicator() = default;
 
-    /** @param communicator must outlive this object. */
-    explicit Communicator(MPI_Comm communicator);
+    /**
+     * The ranks of an MPI communicator. This object and its copies use a
+     * duplicate, so that their messages never meet those that the program which
+     * rift is a part of sends on `original`. Collective.
+     */
+    explicit Communicator(MPI_Comm original);
 
     int
     rank() const
@@ -81,6 +91,20 @@ namespace rift
     exchange(const std::map<int, std::string> &messages,
              const std::map<int, std::size_t> &sizes) const;
 
+    /** The same for plain data of type T. Collective. */
+    template <typename T>
+    std::map<int, std::vector<T>>
+    exchange(const std::map<int, std::vector<T>> &data) const
+    {
+      std::map<int, std::string> messages;
+      for (const auto &[rank, values] : data)
+        messages[rank] = to_bytes(values);
+      std::map<int, std::vector<T>> received;
+      for (const auto &[rank, bytes] : exchange(messages))
+        received[rank] = from_bytes<T>(bytes);
+      return received;
+    }
+
     /** The bytes of all ranks, on all ranks, by rank. Collective. */
     std::vector<std::string>
     all_gather(const std::string &bytes) const;
@@ -95,13 +119,10 @@ namespace rift
     T
     first_of_ranks(const T &own, const Function &comes_before) const
     {
-      static_assert(std::is_trivially_copyable_v<T>);
       T first = own;
-      for (const std::string &bytes :
-           all_gather({reinterpret_cast<const char *>(&own), sizeof(T)}))
+      for (const std::string &bytes : all_gather(object_to_bytes(own)))
         {
-          T other;
-          std::memcpy(&other, bytes.data(), sizeof(T));
+          const T other = object_from_bytes<T>(bytes);
           if (comes_before(other, first))
             first = other;
         }
@@ -132,8 +153,9 @@ namespace rift
                    const std::function<void(const std::string &)> &take) const;
 
     /**
-     * Calls `f` on each rank; where it throws an Error on any of them, all
-     * throw that of the lowest rank. Collective.
+     * Calls `f` on each rank; where it throws on any of them, all throw the
+     * Error of the lowest of these ranks: as a CollectiveError where there are
+     * several. What is no Error becomes one by to_error(). Collective.
      */
     void
     together(const std::function<void()> &f) const;
@@ -143,6 +165,9 @@ namespace rift
     on_root(const std::function<void()> &f) const;
 
   private:
+    /** Frees the duplicate with the last copy of this object. */
+    std::shared_ptr<const MPI_Comm> duplicate;
+
     MPI_Comm communicator = MPI_COMM_SELF;
     int      own_rank = 0, n_ranks = 1;
   };

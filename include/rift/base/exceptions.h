@@ -1,8 +1,11 @@
 #ifndef rift_base_exceptions_h
 #define rift_base_exceptions_h
 
+#include <exception>
+#include <functional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace rift
 {
@@ -52,6 +55,16 @@ namespace rift
     }
   };
 
+  /**
+   * An error that all ranks throw at the same place, so that they can still do
+   * something together before the program ends.
+   */
+  class CollectiveError : public Error
+  {
+  public:
+    using Error::Error;
+  };
+
   /** A file could not be written in full. */
   class DiskError : public Error
   {
@@ -61,6 +74,21 @@ namespace rift
     {
     }
   };
+
+  /**
+   * What the user is told of any exception: an Error as it is, a lack of memory
+   * and what rift does not foresee as an Error with ExitCode::run_error.
+   */
+  Error
+  to_error(const std::exception &exception);
+
+  /**
+   * Calls all of these functions in turn, also those behind one that throws,
+   * and then throws the Error of the first that has: where each saves something
+   * that must not be lost because of another.
+   */
+  void
+  call_all(const std::vector<std::function<void()>> &functions);
 } // namespace rift
 
 #endif

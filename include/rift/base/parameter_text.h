@@ -1,6 +1,7 @@
 #ifndef rift_base_parameter_text_h
 #define rift_base_parameter_text_h
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -17,9 +18,24 @@ namespace rift
   std::string
   simplified(const std::string &text);
 
-  /** The text, printable and cut to what fits in a message. */
+  /**
+   * Where the first byte stands that does not belong to a character of UTF-8;
+   * npos if all is well.
+   */
+  std::size_t
+  find_invalid_utf8(const std::string &text);
+
+  /** The text, printable UTF-8 and cut to what fits in a message. */
   std::string
   excerpt(const std::string &text);
+
+  /**
+   * What is wrong with a name for a Material, Boundary or Probe, for messages:
+   * it is no UTF-8, or has a character with a meaning in a scene, on the command
+   * line or in the header of a table. Empty if it is good.
+   */
+  std::string
+  name_problem(const std::string &name);
 
   /** The parts between separators, simplified; none of an empty text. */
   std::vector<std::string>
@@ -43,10 +59,14 @@ namespace rift
   nearest_name(const std::string              &name,
                const std::vector<std::string> &candidates);
 
-  /** " Did you mean "X"?", or else " Known are X, Y and Z.", for messages. */
+  /**
+   * For messages: " Did you mean "X"?", or else " Known are X, Y and Z.", or
+   * `if_none` after a blank where there are no candidates.
+   */
   std::string
   suggestion(const std::string              &name,
-             const std::vector<std::string> &candidates);
+             const std::vector<std::string> &candidates,
+             const std::string              &if_none = "There are none.");
 } // namespace rift
 
 #endif

@@ -7,12 +7,14 @@
 namespace rift
 {
   /**
-   * While it lives, SIGTERM, SIGUSR1 and SIGINT no longer end the program but
-   * are remembered, for the run to stop in good order at the end of a step.
-   * Batch systems send the first two shortly before the time of a job is over;
-   * the third is Ctrl-C, and ends the program at once when a signal is being
-   * remembered already. If it was ignored before, as in the background of a
-   * script, it still is.
+   * While it lives, signals no longer end the program but are remembered, for
+   * the run to stop in good order at the end of a step: those that batch systems
+   * send shortly before the time of a job is over (SIGTERM, SIGUSR1, SIGUSR2),
+   * SIGXCPU, which comes when the processor time is used up (`ulimit -t`),
+   * SIGHUP, when the terminal has gone, and SIGINT, which is Ctrl-C and ends the
+   * program at once when a signal is being remembered already. If one of the
+   * latter two was ignored before, as in the background of a script or under
+   * nohup, it still is.
    *
    * Only one at a time. Ranks may receive a signal at different steps: what
    * follows from it is to be decided together, by Communicator::any().

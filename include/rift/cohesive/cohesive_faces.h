@@ -2,7 +2,9 @@
 #define rift_cohesive_cohesive_faces_h
 
 #include <rift/base/simd.h>
-#include <rift/cohesive/laws/mohr_coulomb.h>
+#include <rift/discretization/activity.h>
+#include <rift/discretization/reference_cell_data.h>
+#include <rift/discretization/state.h>
 #include <rift/mesh/topology.h>
 
 #include <array>
@@ -10,6 +12,8 @@
 
 namespace rift
 {
+  struct FaceKinematics;
+
   /** Number of Gauss points on a cohesive face. */
   constexpr unsigned int n_face_points = 7;
 
@@ -25,22 +29,6 @@ namespace rift
     FaceQuadrature();
   };
 
-  /** What eight cohesive elements remember of what they have gone through. */
-  struct CohesiveMemory
-  {
-    std::array<CohesivePoint<Simd>, n_face_points> points;
-
-    /** Energies of a face that fracture and friction have used up, J. */
-    Simd fracture, friction;
-
-    /** Energy besides debts that a face was given when its nodes parted, J;
-     * hold_traction(). */
-    Simd given;
-
-    /** Debts of a face that has been let go of, J. */
-    Simd unpaid;
-  };
-
   /**
    * Eight cohesive elements (CE6): the pairs of nodes of the two sides and the
    * triangle in the undeformed body.
@@ -54,16 +42,7 @@ namespace rift
     std::array<Vector3<Simd>, 2> edges;
     Simd                         area;
 
-    CohesiveConstants<Simd> constants;
-
-    /** Cohesion of the intact face, Pa. */
-    Simd cohesion;
-
     unsigned int n_faces;
-
-    /** Index in CohesiveFaces::memories; invalid_index as long as none of the
-     * faces has anything to remember. */
-    std::uint32_t memory;
   };
 
   /** The rest of what is known of a cohesive element, one by one. */
@@ -80,15 +59,17 @@ namespace rift
   };
 
   /**
-   * The cohesive elements that have begun to open, in the order of that, and
-   * by face index within a step: an order that is the same on any number of
-   * ranks, and in which their forces are summed.
+   * The faces that have a cohesive element, whatever its law: their nodes,
+   * triangles and states. They stand in the order in which they got it, and by
+   * face index within a step: an order that is the same on any number of ranks,
+   * and in which their forces are summed.
+   *
+   * The state of a face is that in Topology::face_states, where others look.
    */
-  struct CohesiveFaces
+  class CohesiveFaces
   {
-    std::vector<CohesiveBatch>    batches;
-    std::vector<CohesiveMemory>   memories;
-    std::vector<CohesiveFaceInfo> infos;
+  public:
+    CohesiveFaces(Topology &topology, const ReferenceCellData &reference);
 
     std::size_t
     size() const
@@ -96,36 +77,101 @@ namespace rift
       return infos.size();
     }
 
-    /** What a face remembers; null if its batch has no memory. */
-    const CohesiveMemory *
-    memory_of(const std::size_t face) const
+    bool
+    has(const FaceIndex face) const
     {
-      const std::uint32_t memory = batches[face / batch_size].memory;
-      return memory == invalid_index ? nullptr : &memories[memory];
+      return index_of_face[face] != invalid_index;
     }
+
+    /** Where a face stands that has an element. */
+    std::size_t
+    index(const FaceIndex face) const
+    {
+      return index_of_face[face];
+    }
+
+    /**
+     * Gives a face an element.
+     *
+     * @param share of its strength that it has.
+     */
+    void
+    add(FaceIndex face, const State &state, double share);
+
+    /** Takes in which nodes the faces around these vertices have now. */
+    void
+    update_nodes(const std::vector<VertexIndex> &vertices);
+
+    FaceState
+    state(const std::size_t index) const
+    {
+      return topology.face_states[infos[index].face];
+    }
+
+    bool
+    has_opened(const std::size_t index) const
+    {
+      return state(index) >= FaceState::opening;
+    }
+
+    bool
+    is_owned(const std::size_t index) const
+    {
+      return topology.owns_face(infos[index].face);
+    }
+
+    /** Has a face pass on to a state, unless it is there or further already. */
+    void
+    set_state(std::size_t index, FaceState next, double time);
+
+    /** Rises whenever a face gets an element, fails or is let go of. */
+    std::uint64_t
+    n_events() const
+    {
+      return event_counter;
+    }
+
+    /** Areas of the faces of a batch that act, m^2: zero where a face has been
+     * let go of. */
+    Simd
+    acting_area(std::size_t batch) const;
+
+    /**
+     * Faces with damage whose sides have moved apart by `release_distance`
+     * times the root of their area (or their least height, where that is less),
+     * since an element between them says nothing of overlap once they have
+     * turned against each other; and at the end of each contact interval failed
+     * faces that are open, since contact then resists their overlap.
+     */
+    SimdMask
+    lanes_to_release(std::size_t           batch,
+                     const FaceKinematics &kinematics,
+                     std::uint64_t         step) const;
+
+    /** Whether all cells beside the faces of a batch are at rest. */
+    bool
+    is_at_rest(std::size_t batch, const Activity &activity) const;
+
+    std::vector<CohesiveBatch>    batches;
+    std::vector<CohesiveFaceInfo> infos;
+
+    /** Steps between two looks of contact for cracks; zero without contact. */
+    std::uint64_t contact_interval = 0;
+
+  private:
+    static constexpr double release_distance = .5;
+
+    /** Reads the nodes of a face from the topology. */
+    void
+    update_face(FaceIndex face);
+
+    Topology                &topology;
+    const ReferenceCellData &reference;
+    std::uint64_t            event_counter = 0;
+
+    /** Index of each interior face, if it has an element. */
+    std::vector<std::uint32_t> index_of_face;
   };
-
-  /** All that a cohesive element remembers, for a checkpoint. */
-  struct CohesiveFaceRecord
-  {
-    FaceName face;
-    double   start_time, failure_time, share, area, fracture, friction;
-    double   given, unpaid;
-
-    std::array<CohesivePoint<double>, n_face_points> points;
-  };
-
-  /** Memory of one point of one face. */
-  CohesivePoint<double>
-  get_point(const CohesiveMemory &memory,
-            unsigned int          point,
-            unsigned int          lane);
-
-  void
-  set_point(CohesiveMemory              &memory,
-            unsigned int                 point,
-            unsigned int                 lane,
-            const CohesivePoint<double> &value);
 } // namespace rift
 
 #endif

@@ -1,37 +1,16 @@
 #ifndef rift_cohesive_cohesive_force_h
 #define rift_cohesive_cohesive_force_h
 
-#include <rift/base/exact_sum.h>
-#include <rift/cohesive/cohesive_faces.h>
-#include <rift/cohesive/face_kinematics.h>
-#include <rift/cohesive/face_slopes.h>
-#include <rift/cohesive/face_strengths.h>
-#include <rift/discretization/activity.h>
-#include <rift/discretization/ghost_exchange.h>
-#include <rift/discretization/state.h>
+#include <rift/base/communicator.h>
+#include <rift/cohesive/cohesive_elements.h>
+#include <rift/cohesive/partings.h>
+#include <rift/discretization/field_list.h>
 
-#include <functional>
-#include <optional>
-#include <variant>
+#include <memory>
 #include <vector>
 
 namespace rift
 {
-  /** Acceleration of a component of a node, m/s^2, if it is prescribed; empty
-   * where none is. */
-  using PrescribedAcceleration =
-    std::function<std::optional<double>(NodeIndex, unsigned int)>;
-
-  /** Energies of the cohesive elements that this rank owns, J. */
-  struct CohesiveEnergy
-  {
-    /** Elastic, less what the faces were given when they began to open and
-     * have not drawn from the body since. */
-    ExactSum recoverable;
-    ExactSum fracture;
-    ExactSum friction;
-  };
-
   /** Numbers of faces of the whole body. */
   struct FaceCounts
   {
@@ -41,7 +20,7 @@ namespace rift
     std::uint64_t failed = 0;
 
     /** Faces that have opened though the mesh is too coarse for their fracture
-     * energy; see is_separation_too_short(). */
+     * energy. */
     std::uint64_t too_short = 0;
   };
 
@@ -49,10 +28,8 @@ namespace rift
    * The cohesive elements at work.
    *
    * In the extrinsic model a face that has been cut lies idle while its two
-   * sides still share all their nodes; it becomes a member of CohesiveFaces
-   * when the first of its corners parts. In the intrinsic model all faces are
-   * members from the start, and need no memory until the first of a batch
-   * leaves the envelope.
+   * sides still share all their nodes; it gets an element when the first of its
+   * corners parts. In the intrinsic model all faces have one from the start.
    *
    * A face fails when all of its seven points have reached D = 1: nothing is
    * cut off then, so that failing releases no energy and separation has
@@ -64,23 +41,21 @@ namespace rift
   {
   public:
     /**
-     * @param model extrinsic or intrinsic.
+     * @param parameters the model, the law and the least share of its strength
+     *   with which a face may begin to open; faces that bear less than all of
+     *   it then are as weak as that (doc/theory.md, eq. 11c).
      * @param slope of the elastic branches.
-     * @param least_share of its strength with which a face may begin to open,
-     *   see Insertion; faces that bear less than all of it then are as weak as
-     *   that (doc/theory.md, eq. 11c).
      */
     CohesiveForce(Topology                 &topology,
                   const ReferenceCellData  &reference,
                   const FaceStrengths      &strengths,
-                  CohesiveParameters::Model model,
-                  FaceSlope                 slope,
-                  double                    least_share = 1);
+                  const CohesiveParameters &parameters,
+                  FaceSlope                 slope);
 
     /**
-     * Intrinsic model: has all faces that have been cut carry a cohesive
-     * element. To be called once, before the first step, when all ranks know
-     * the nodes of all cells.
+     * Intrinsic model: gives all faces that have been cut their elements. To be
+     * called once, before the first step, when all ranks know the nodes of all
+     * cells.
      */
     void
     start_all(const State &state);
@@ -95,14 +70,20 @@ namespace rift
 
     /** Takes in which nodes the faces around these vertices have now. */
     void
-    update_nodes(const std::vector<VertexIndex> &vertices);
+    update_nodes(const std::vector<VertexIndex> &vertices)
+    {
+      cohesive_faces.update_nodes(vertices);
+    }
 
     /**
      * Adds the forces of all faces, after updating their memory. Faces between
      * cells at rest that have no memory are passed over.
      */
     void
-    add_to(State &state, const Activity &activity);
+    add_to(State &state, const Activity &activity)
+    {
+      elements->add_to(state, activity);
+    }
 
     /**
      * Holds nodes that have parted in this step together for the rest of it:
@@ -117,7 +98,10 @@ namespace rift
      *   needs at the end of the step.
      */
     std::vector<OpeningCorner>
-    hold_partings(State &state, const PrescribedAcceleration &prescribed);
+    hold_partings(State &state, const PrescribedAcceleration &prescribed)
+    {
+      return partings.hold(state, prescribed);
+    }
 
     /**
      * Passes the bond forces to the faces: from the next add_to() on, these
@@ -129,17 +113,20 @@ namespace rift
     void
     start_openings(const State &state, std::vector<OpeningCorner> corners);
 
-    /** The faces that this rank owns and that have opened, in their order. */
-    std::vector<CohesiveFaceRecord>
-    records() const;
+    /** The faces that this rank owns and that have opened. */
+    CohesiveRecords
+    records() const
+    {
+      return elements->records();
+    }
 
     /**
      * Goes on with faces of which records() has told, on any ranks; the
-     * topology must have been cut as it was. Those that this rank does not
-     * need are passed over.
+     * topology must have been cut as it was, and know the states of its faces.
+     * Those that this rank does not need are passed over.
      */
     void
-    restore(const State &state, std::vector<CohesiveFaceRecord> records);
+    restore(const State &state, const CohesiveRecords &records);
 
     /**
      * Energies of the faces that this rank owns.
@@ -147,11 +134,14 @@ namespace rift
      * @param state as at the last add_to().
      */
     CohesiveEnergy
-    energy(const State &state) const;
+    energy(const State &state) const
+    {
+      return elements->energy(state);
+    }
 
     /**
      * Has failed faces let go as soon as they are open, since contact then
-     * resists their overlap; see release_distant_faces().
+     * resists their overlap.
      *
      * @param interval faces are let go of at the end of so many steps, when
      *   contact looks for pairs.
@@ -159,25 +149,8 @@ namespace rift
     void
     leave_failed_faces_to_contact(const std::uint64_t interval)
     {
-      contact_interval = interval;
+      cohesive_faces.contact_interval = interval;
     }
-
-    /** Whether the sides of a face are bonded, or a cohesive element resists
-     * their overlap. */
-    bool
-    holds(FaceIndex face) const;
-
-    /** Rises whenever a face begins to open, fails or is let go of. */
-    std::uint64_t
-    n_events() const
-    {
-      return event_counter;
-    }
-
-    /** Whether a face has begun to open: in the intrinsic model, whether it
-     * has damage. */
-    bool
-    has_opened(std::size_t index) const;
 
     const CohesiveFaces &
     faces() const
@@ -185,48 +158,30 @@ namespace rift
       return cohesive_faces;
     }
 
+    /** For the output, in the order of faces(). */
+    std::vector<FaceMeans>
+    means(const State &state) const
+    {
+      return elements->means(state);
+    }
+
+    /** Declares what output can show of its faces.
+     * @param force null: the names alone. */
+    static void
+    declare_fields(FieldList &list, const CohesiveForce *force);
+
     /** Collective. */
     FaceCounts
     count_faces(const Communicator &communicator) const;
 
-    /** Jump at a point of a face in its frame, m, its traction, Pa, and the
-     * two parts of its damage. */
-    struct PointState
+    /** For tests, which know their law: a CohesiveElementsOf it. */
+    CohesiveElements &
+    elements_of_law()
     {
-      Vector3<double> jump, traction;
-      double          opening, slip;
-    };
-
-    PointState
-    point_state(const State &state,
-                std::size_t  index,
-                unsigned int point) const;
+      return *elements;
+    }
 
   private:
-    /** An opening corner and its two nodes among those of its parting. */
-    struct Opening
-    {
-      FaceIndex    face;
-      std::uint8_t corner;
-      std::size_t  minus, plus;
-    };
-
-    /** Nodes that were one until this step, and what has opened between. */
-    struct Parting
-    {
-      std::vector<NodeIndex> nodes;
-      std::vector<Opening>   openings;
-    };
-
-    /** Calls f(face, corner of the face, its minus and its plus node) for all
-     * faces around a vertex that have been cut. */
-    template <typename Function>
-    void
-    for_each_cut_face(VertexIndex vertex, const Function &f) const;
-
-    void
-    activate(FaceIndex face, const State &state, double share);
-
     /** What the strength of a face is times, by the forces on the corners with
      * which it begins to open. */
     double
@@ -234,132 +189,14 @@ namespace rift
                    const OpeningCorner *first,
                    const OpeningCorner *last) const;
 
-    /** Strength of a cohesive element, its share included. */
-    FaceStrength
-    strength_of(const CohesiveFaceInfo &info) const
-    {
-      return strengths.strength(info.face).times(info.share);
-    }
-
-    /** Gives a batch a memory in which nothing has happened yet. */
-    void
-    make_memory(std::size_t batch_number);
-
-    /** Makes the memory of one face that of an intact one. */
-    void
-    start_points(std::size_t index);
-
-    /** Whether all cells beside the faces of a batch are at rest. */
-    bool
-    is_at_rest(std::size_t batch_number, const Activity &activity) const;
-
-    /** Tractions of a batch without memory.
-     * @param[out] yields whether any point leaves the envelope. */
-    template <typename Law>
-    FaceTractions
-    intact_tractions(const CohesiveBatch  &batch,
-                     const FaceKinematics &kinematics,
-                     bool                 &yields) const;
-
-    /** Updates the memory of a batch and returns its tractions. */
-    template <typename Law>
-    FaceTractions
-    update_memory(const Law            &law,
-                  std::size_t           batch_number,
-                  const FaceKinematics &kinematics,
-                  const State          &state);
-
-    template <typename Law>
-    void
-    add_forces(const Law &law, State &state, const Activity &activity);
-
-    /** Divides the bond forces of the nodes among the faces that open. */
-    void
-    share_bond_forces(const Parting               &parting,
-                      std::vector<Vector3<double>> bond,
-                      std::vector<OpeningCorner>  &shares) const;
-
-    /** m_A a - f_A of each of the nodes that have parted, N. */
-    static std::vector<Vector3<double>>
-    bond_forces(const State                  &state,
-                const Parting                &parting,
-                const PrescribedAcceleration &prescribed);
-
-    /** Gives the points of one face the traction that makes these forces. */
-    void
-    hold(const State         &state,
-         const OpeningCorner *first,
-         const OpeningCorner *last);
-
-    /** Reads the nodes of an open face from the topology. */
-    void
-    update_face(FaceIndex face);
-
-    static void
-    scatter(const CohesiveBatch &batch, const FaceForces &forces, State &state);
-
-    /** Elastic energies of the faces of a batch, J. */
-    template <typename Law>
-    Simd
-    elastic_energy(const State &state, const CohesiveBatch &batch) const;
-
-    Simd
-    elastic_energy(const State &state, const CohesiveBatch &batch) const;
-
-    /** Debts of the faces of a batch, J; CohesivePoint::debt. */
-    Simd
-    debt_of(const CohesiveBatch &batch) const;
-
-    void
-    note_failures(std::size_t batch_number, double time);
-
-    /**
-     * Lets go of faces with damage whose sides have moved apart by
-     * `release_distance` times the root of their area (or their least height,
-     * where that is less), since an element between them says nothing of
-     * overlap once they have turned against each other. What is left of their
-     * elastic energy counts as used up. A face let go of has no area.
-     */
-    void
-    release_distant_faces(std::size_t           batch_number,
-                          const FaceKinematics &kinematics,
-                          const State          &state);
-
-    static constexpr double release_distance = .5;
-
-    /** The failed faces of a batch whose corners are all apart. */
-    SimdMask
-    is_open_and_failed(std::size_t           batch_number,
-                       const FaceKinematics &kinematics) const;
-
-    /** Notes that a face has failed, if that is new. */
-    void
-    fail(CohesiveFaceInfo &info, double time);
-
-    using AnyLaw =
-      std::variant<MohrCoulomb<StraightBranch>, MohrCoulomb<ParabolicBranch>>;
-
-    static AnyLaw
-    law_of(CohesiveParameters::Model model);
-
     Topology                &topology;
     const ReferenceCellData &reference;
     const FaceStrengths     &strengths;
-    const FaceSlope          slope;
-    const AnyLaw             law;
-    const double             part_of_fracture;
     const double             least_share;
-    const FaceQuadrature     quadrature;
 
-    CohesiveFaces cohesive_faces;
-    std::uint64_t event_counter = 0;
-
-    /** Zero without contact. */
-    std::uint64_t contact_interval = 0;
-
-    /** Index in cohesive_faces of each interior face, if it has one. */
-    std::vector<std::uint32_t> index_of_face;
-    std::vector<Parting>       partings;
+    CohesiveFaces                           cohesive_faces;
+    const std::unique_ptr<CohesiveElements> elements;
+    Partings                                partings;
   };
 } // namespace rift
 

@@ -2,6 +2,7 @@
 #define rift_cohesive_cohesive_parameters_h
 
 #include <rift/base/parameter_errors.h>
+#include <rift/cohesive/cohesive_model.h>
 
 namespace dealii
 {
@@ -21,14 +22,12 @@ namespace rift
   /** The cohesive zone model: subsection `Fracture` of the .prm. */
   struct CohesiveParameters
   {
-    enum class Model
-    {
-      none,
-      extrinsic,
-      intrinsic
-    };
+    using Model = CohesiveModel;
 
     Model model = Model::none;
+
+    /** The name of one of the CohesiveLaws. */
+    std::string law = "Mohr-Coulomb";
 
     /**
      * Room that the time step leaves for cohesive faces: the square of the
@@ -58,14 +57,18 @@ namespace rift
     static CohesiveParameters
     parse(dealii::ParameterHandler &prm);
 
-    /** Throws ParameterError for a stiffness that is too small and a share that
-     * is none. */
+    /** Throws ParameterError for a law that does not serve the model, a
+     * stiffness that is too small and a share that is none. */
     void
     check() const;
 
     /** What has no effect with this model. */
     std::vector<InertEntries>
     inert_entries() const;
+
+  private:
+    void
+    check_law() const;
   };
 
   /** The name of a model as in the .prm. */

@@ -2,7 +2,7 @@
 #define rift_cohesive_face_kinematics_h
 
 #include <rift/cohesive/cohesive_faces.h>
-#include <rift/discretization/state.h>
+#include <rift/discretization/ghost_exchange.h>
 
 namespace rift
 {
@@ -53,6 +53,36 @@ namespace rift
               const FaceTractions  &tractions,
               const FaceKinematics &kinematics,
               const FaceQuadrature &quadrature);
+
+  /** Adds the forces of a batch to those of its nodes. */
+  void
+  scatter(const CohesiveBatch &batch, const FaceForces &forces, State &state);
+
+  /** Forces on the corners of one face in its frame, N. */
+  using CornerForces = std::array<Vector3<double>, 3>;
+
+  /**
+   * The forces with which corners of a face begin to open, in its frame.
+   * Corners that are still bonded are given the mean of the others: their own
+   * share will be a correction of that.
+   *
+   * @param lane of the face in its batch.
+   */
+  CornerForces
+  corner_forces_in_frame(const CohesiveBatch  &batch,
+                         const FaceKinematics &kinematics,
+                         unsigned int          lane,
+                         const OpeningCorner  *first,
+                         const OpeningCorner  *last);
+
+  /**
+   * The traction that makes these forces, at a point with these shape functions
+   * (doc/theory.md, eq. 19), Pa.
+   */
+  Vector3<double>
+  traction_of(const CornerForces          &forces,
+              double                       area,
+              const std::array<double, 3> &shape);
 } // namespace rift
 
 #endif

@@ -3,8 +3,8 @@
 
 #include <rift/base/communicator.h>
 #include <rift/cohesive/cohesive_parameters.h>
-#include <rift/cohesive/laws/mohr_coulomb.h>
 #include <rift/discretization/reference_cell_data.h>
+#include <rift/material/face_strength.h>
 #include <rift/material/material_parameters.h>
 #include <rift/mesh/topology.h>
 #include <rift/solid/internal_force.h>

@@ -16,7 +16,7 @@ namespace rift
    * (doc/theory.md, eq. 11). The traction is the mean of the two cells'
    * nominal tractions P N, resolved along the current normal.
    *
-   * With a `least_share` below 1 a face also breaks when the mean second
+   * With a least share below 1 a face also breaks when the mean second
    * Piola-Kirchhoff stress of its two cells reaches the strength on some plane
    * and the face itself bears at least this share of its own strength (eq.
    * 11b): tilted faces then no longer hold a crack together that runs beside
@@ -28,11 +28,11 @@ namespace rift
   class Insertion
   {
   public:
-    Insertion(const Topology          &topology,
-              const ReferenceCellData &reference,
-              const InternalForce     &internal_force,
-              const FaceStrengths     &strengths,
-              double                   least_share = 1);
+    Insertion(const Topology           &topology,
+              const ReferenceCellData  &reference,
+              const InternalForce      &internal_force,
+              const FaceStrengths      &strengths,
+              const CohesiveParameters &parameters);
 
     /**
      * Faces of the hot cells at their strength, ascending.

@@ -1,8 +1,9 @@
 #ifndef rift_cohesive_weakest_plane_h
 #define rift_cohesive_weakest_plane_h
 
+#include <rift/base/types.h>
 #include <rift/base/vector3.h>
-#include <rift/cohesive/laws/mohr_coulomb.h>
+#include <rift/material/face_strength.h>
 
 namespace rift
 {

@@ -1,6 +1,7 @@
 #ifndef rift_contact_contact_force_h
 #define rift_contact_contact_force_h
 
+#include <rift/base/archive.h>
 #include <rift/base/exact_sum.h>
 #include <rift/contact/contact_surface.h>
 #include <rift/contact/rendezvous.h>
@@ -19,26 +20,11 @@ namespace rift
     ExactSum elastic, friction, damping;
   };
 
-  /** A pair of cells that may touch, for a checkpoint. */
-  struct ContactPairRecord
-  {
-    GlobalCellIndex a, b;
-    double          free_potential, slip[dim], stiffness, damper;
-  };
-
   /** Two cells that lie in each other so deep that contact no longer tells
    * their outsides apart. */
   struct DeepOverlap
   {
     GlobalCellIndex a, b;
-  };
-
-  /** A cell that took part in the last search, and where it was then. */
-  struct ContactCellRecord
-  {
-    GlobalCellIndex cell;
-    std::uint32_t   padding;
-    double          positions[n_corners][dim];
   };
 
   /**
@@ -66,8 +52,8 @@ namespace rift
       /** By cell slot. */
       std::vector<ContactCellConstants> cells;
 
-      /** Coefficient of friction of two materials. */
-      std::function<double(std::uint32_t, std::uint32_t)> friction;
+      /** Coefficient of friction of each two materials. */
+      std::vector<std::vector<double>> friction;
 
       /** Damping over the critical one. */
       double damping;
@@ -103,6 +89,8 @@ namespace rift
      * each drift, when the nodes of ghost cells have followed. Collective.
      *
      * @param time_step s.
+     * @throws RunError or CollectiveError, on all ranks, when something moves
+     *   too fast to be found or too many cells lie at one place.
      */
     void
     follow(const State &state, double time_step);
@@ -120,15 +108,6 @@ namespace rift
       return energies;
     }
 
-    /** Calls `f` on each sum that a checkpoint must hold. */
-    template <typename Function>
-    void
-    for_each_sum(const Function &f)
-    {
-      f(energies.friction);
-      f(energies.damping);
-    }
-
     /** Number of pairs of the whole body that touch. Collective. */
     std::uint64_t
     count_touching() const;
@@ -140,26 +119,18 @@ namespace rift
     void
     refuse_overlaps(const std::vector<MaterialParameters> &materials) const;
 
-    /** What this rank owns. */
-    std::vector<ContactPairRecord>
-    pair_records() const;
-
-    std::vector<ContactCellRecord>
-    cell_records() const;
-
-    /** Whether cracks have changed since the last look, on any rank. */
-    bool
-    has_changed() const;
-
-    /**
-     * Goes on as the records say, which are those of all ranks; in place of
-     * the first follow(). Collective.
-     */
+    /** Adds 1 to the first cell of each pair that this rank owns. */
     void
-    restore(const State                          &state,
-            const std::vector<ContactPairRecord> &pairs,
-            const std::vector<ContactCellRecord> &cells,
-            bool                                  has_changed);
+    count_pairs(const Topology &topology, std::vector<std::uint32_t> &n) const;
+
+    /** Writes pairs, and the cells of the last search with their places.
+     * Collective. */
+    void
+    save(Archive &archive) const;
+
+    /** Continues in place of the first follow(). Collective. */
+    void
+    load(const State &state, const Archive &archive);
 
   private:
     /** A cell of a pair that is computed here. */

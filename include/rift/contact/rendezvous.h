@@ -40,7 +40,8 @@ namespace rift
      *
      * @param own cells of this rank, ascending.
      * @param skin m; on all ranks the same.
-     * @throws RunError on all ranks if there are too many on one.
+     * @throws RunError or CollectiveError, on all ranks, if there are too many
+     *   on one.
      */
     ContactNeighbourhood
     search(std::vector<ContactCell> own, double skin);

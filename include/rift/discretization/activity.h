@@ -23,6 +23,8 @@ namespace rift
     /** Nodes are updated in blocks of this many. */
     static constexpr std::size_t block_size = 32;
 
+    Activity() = default;
+
     explicit Activity(const Topology &topology);
 
     /** Whether a batch must be computed. */

@@ -85,6 +85,19 @@ namespace rift
     }
   };
 
+  /**
+   * Velocity of a node at t_n, m/s: half a kick after that of
+   * `state.velocity`. Holds between the last force and the kick.
+   */
+  inline Vector3<double>
+  velocity_at_step(const State    &state,
+                   const double    time_step,
+                   const NodeIndex node)
+  {
+    return state.velocity[node].vector() +
+           (.5 * time_step / state.mass[node]) * state.force[node].vector();
+  }
+
   /** Unit normal of the current place of an interior face, as its first cell
    * has it: outward from that cell. */
   inline Vector3<double>

@@ -1,6 +1,7 @@
 #ifndef rift_discretization_work_h
 #define rift_discretization_work_h
 
+#include <rift/base/archive.h>
 #include <rift/base/exact_sum.h>
 #include <rift/discretization/state.h>
 
@@ -63,14 +64,19 @@ namespace rift
       return until_now;
     }
 
-    /** Calls `f` on each sum that a checkpoint must hold. Only the totals over
-     * all ranks count. */
-    template <typename Function>
+    /** Writes it under the name of what does the work. */
     void
-    for_each_sum(const Function &f)
+    save(const std::string &name, Archive &archive) const
     {
-      f(until_now);
-      f(after_kick);
+      archive.write_sum(name + ": work until now", until_now);
+      archive.write_sum(name + ": work after the kick", after_kick);
+    }
+
+    void
+    load(const std::string &name, const Archive &archive)
+    {
+      until_now  = archive.read_sum(name + ": work until now");
+      after_kick = archive.read_sum(name + ": work after the kick");
     }
 
   private:

@@ -1,10 +1,11 @@
 #ifndef rift_io_checkpoint_file_h
 #define rift_io_checkpoint_file_h
 
+#include <rift/base/archive.h>
 #include <rift/base/exceptions.h>
 #include <rift/base/output_file.h>
+#include <rift/base/plain_bytes.h>
 
-#include <array>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -22,7 +23,7 @@ namespace rift
    * Number of the format: of this file, of the sets, and of what the simulation
    * stores in them. A file of another number is refused.
    */
-  constexpr std::uint64_t checkpoint_format = 5;
+  constexpr std::uint64_t checkpoint_format = 6;
 
   /** A file of a checkpoint is not what has been written. */
   class CheckpointDamaged : public InputError
@@ -49,26 +50,6 @@ namespace rift
     {
       return size == other.size && checksum == other.checksum;
     }
-  };
-
-  /**
-   * Whether every byte of a T belongs to its value. Bytes that pad a structure
-   * have no value: two files of the same state would differ. The compiler can
-   * tell it of structures of integers. One with a `double` may say it of itself
-   * by a specialization, beside a static_assert on its size.
-   */
-  template <typename T>
-  struct HasPlainBytes
-    : std::bool_constant<!std::is_pointer_v<T> &&
-                         (std::has_unique_object_representations_v<T> ||
-                          std::is_same_v<T, float> ||
-                          std::is_same_v<T, double>)>
-  {
-  };
-
-  template <typename T, std::size_t n>
-  struct HasPlainBytes<std::array<T, n>> : HasPlainBytes<T>
-  {
   };
 
   /** Writes a file block by block. */
@@ -105,6 +86,10 @@ namespace rift
     {
       write_block(name, 1, text.data(), text.size());
     }
+
+    /** Writes a block for each entry. */
+    void
+    write(const Archive &archive);
 
     /** Ends the file and brings it to the disk. Nothing can follow. */
     CheckpointFileId
@@ -185,6 +170,10 @@ namespace rift
       const Block &block = find(name, 1);
       return std::string(items_of(block), block.n_items);
     }
+
+    /** Adds the entries that an archive has written, those of one rank. */
+    void
+    merge_into(Archive &archive) const;
 
   private:
     struct Block

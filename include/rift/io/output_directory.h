@@ -13,8 +13,17 @@ namespace rift
   constexpr const char *parameters_marker = "# All parameters as used by rift";
 
   /**
-   * Creates `directory` with the folders above it if need be, and sees to it
-   * that a run may write its results there, and can.
+   * Creates `directory` with the folders above it if need be.
+   *
+   * @throws InputError if it is not a directory.
+   * @throws DiskError if it cannot be created.
+   */
+  void
+  create_output_directory(const std::string &directory);
+
+  /**
+   * Creates `directory` as above and sees to it that a run may write its results
+   * there, and can.
    *
    * @throws InputError if it is not a directory, if it holds results of an
    *   older run and `overwrite` is false, or if it holds a parameters.prm that

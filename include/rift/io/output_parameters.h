@@ -2,7 +2,7 @@
 #define rift_io_output_parameters_h
 
 #include <rift/base/parameter_file.h>
-#include <rift/base/vector3.h>
+#include <rift/discretization/field_list.h>
 
 #include <string>
 
@@ -25,6 +25,9 @@ namespace rift
     /** Time between two rows of probes.csv and energy.csv, s; 0: each step. */
     double history_interval = 0;
 
+    /** What is in solid.pvd and fracture.pvd. */
+    FieldSelection fields;
+
     /** Whether results of an older run may be replaced. */
     bool overwrite = false;
 
@@ -39,7 +42,8 @@ namespace rift
     static OutputParameters
     parse(dealii::ParameterHandler &prm);
 
-    /** Throws ParameterError for an empty directory or a negative interval. */
+    /** Throws ParameterError for an empty directory, a negative interval or a
+     * field that does not exist. */
     void
     check() const;
   };
@@ -47,23 +51,20 @@ namespace rift
   /** Subsection `Probe NAME`: one column of probes.csv. */
   struct ProbeParameters
   {
-    enum class Field
+    /** A component of a field; see FieldList. */
+    struct Component
     {
-      displacement,
-      velocity,
-      stress,
-      pressure,
-      force
+      std::string   name     = "velocity";
+      std::string   unit     = "m/s";
+      FieldLocation location = FieldLocation::node;
+      std::size_t   index    = 0;
     };
 
     std::string name;
-    Field       field = Field::velocity;
+    Component   field;
 
     /** Force on the rigid bodies of this material. */
     std::string material;
-
-    /** Index 0..2 of a vector's or 0..5 (xx yy zz yz xz xy) of stress. */
-    unsigned int component = 0;
 
     /** Average over this surface; empty: at `point`. */
     std::string boundary;

@@ -3,12 +3,10 @@
 
 #include <rift/base/communicator.h>
 #include <rift/base/exact_sum.h>
+#include <rift/discretization/field_list.h>
 #include <rift/discretization/reference_cell_data.h>
-#include <rift/discretization/state.h>
 #include <rift/io/output_parameters.h>
 #include <rift/mesh/surface.h>
-#include <rift/rigid/rigid_bodies.h>
-#include <rift/solid/internal_force.h>
 
 #include <string>
 #include <vector>
@@ -39,23 +37,19 @@ namespace rift
           const Communicator      &communicator);
 
     /** Name and unit: "fspv [m/s]". */
-    const std::string &
+    std::string
     header() const
     {
-      return header_text;
+      return title(parameters.name, parameters.field.unit);
     }
 
     /**
      * The part of this rank in the value.
      *
-     * @param velocity of each node at the time of `state`, m/s.
+     * @throws InputError if nothing in the scene has the field.
      */
     ExactSum
-    sum(const Topology                     &topology,
-        const InternalForce                &internal_force,
-        const RigidBodies                  *rigid_bodies,
-        const State                        &state,
-        const std::vector<Vector3<double>> &velocity) const;
+    sum(const Topology &topology, const FieldList &fields) const;
 
   private:
     /** A cell, and the shares of its corners in the value. */
@@ -78,28 +72,17 @@ namespace rift
                   const Communicator      &communicator);
 
     ProbeParameters     parameters;
-    std::string         header_text;
     std::vector<Sample> samples;
   };
 
-  /**
-   * The values of all probes, on all ranks. Collective.
-   *
-   * @param rigid_bodies null where there are none, and no probe of forces.
-   */
+  /** The values of all probes, on all ranks. Collective. */
   std::vector<double>
-  probe_values(const std::vector<Probe>           &probes,
-               const Topology                     &topology,
-               const InternalForce                &internal_force,
-               const RigidBodies                  *rigid_bodies,
-               const State                        &state,
-               const std::vector<Vector3<double>> &velocity,
-               const Communicator                 &communicator);
+  probe_values(const std::vector<Probe> &probes,
+               const Topology           &topology,
+               const FieldList          &fields,
+               const Communicator       &communicator);
 
-  /**
-   * Velocity of each node at t_n, m/s: half a kick after that of
-   * `state.velocity`. To be called between the last force and the kick.
-   */
+  /** Velocity of each node at t_n, m/s; see velocity_at_step(). */
   std::vector<Vector3<double>>
   velocity_at_step(const State &state, double time_step);
 } // namespace rift

@@ -3,9 +3,8 @@
 
 #include <rift/base/communicator.h>
 #include <rift/cohesive/cohesive_force.h>
-#include <rift/discretization/state.h>
+#include <rift/discretization/field_list.h>
 #include <rift/io/vtu_output.h>
-#include <rift/solid/internal_force.h>
 
 #include <string>
 #include <vector>
@@ -13,28 +12,46 @@
 namespace rift
 {
   /**
-   * The cells that this rank owns as they are now: displacement and velocity of
-   * their nodes, Cauchy stress, material and fragment.
+   * The names of all fields that modules can have, without values: those that
+   * probes know and, of cohesive faces, those of fracture.pvd.
+   */
+  FieldList
+  known_fields();
+
+  /**
+   * Declares what tells cells apart in solid.pvd: material and fragment.
    *
-   * @param fragments number for each cell slot; see number_fragments().
+   * @param fragments number for each cell slot; see number_fragments(). They
+   *   are looked at only when values are asked for.
+   */
+  void
+  declare_labels(FieldList                        &list,
+                 const Topology                   *topology,
+                 const std::vector<std::uint32_t> *fragments);
+
+  /** Names of all fields that solid.pvd and fracture.pvd can have. */
+  FieldList
+  known_output_fields();
+
+  /**
+   * The cells that this rank owns: nodes of the undeformed body, and the
+   * wanted fields of nodes and cells.
    */
   Solution
-  solid_solution(const Topology                     &topology,
-                 const State                        &state,
-                 const InternalForce                &internal_force,
-                 const std::vector<Vector3<double>> &velocity,
-                 const std::vector<std::uint32_t>   &fragments);
+  solid_solution(const Topology       &topology,
+                 const FieldList      &fields,
+                 const FieldSelection &wanted);
 
   /**
    * The cohesive elements of this rank that have begun to open, each a triangle
-   * halfway between its sides: damage, mode (0: opening, 1: sliding), opening,
-   * slip, normal and shear traction as means over the Gauss points, times of
-   * insertion and of failure (-1: has not failed).
+   * at its place in the undeformed body: the wanted fields of cohesive faces,
+   * and the displacement halfway between their sides.
    */
   Solution
-  fracture_solution(const Topology      &topology,
-                    const State         &state,
-                    const CohesiveForce &cohesive_force);
+  fracture_solution(const Topology       &topology,
+                    const CohesiveForce  &cohesive_force,
+                    const FieldList      &fields,
+                    const FieldSelection &wanted);
 
   /**
    * Hash of displacements and velocities of all corners of all cells, as

@@ -17,7 +17,12 @@ namespace rift
    */
   struct Summary
   {
-    std::string   version;
+    std::string version;
+
+    /** Why the run has failed; empty if it has come to its end. In the file
+     * `completed` says which, and only a run that has failed has this key. */
+    std::string stopped_by;
+
     std::uint64_t cells         = 0;
     std::uint64_t nodes_initial = 0;
     std::uint64_t nodes_final   = 0;

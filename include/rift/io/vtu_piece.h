@@ -27,6 +27,9 @@ namespace rift
 
     /** Component c of item i is at `n_components * i + c`. */
     std::vector<float> values;
+
+    /** What ParaView calls the components of a vector; empty: X, Y, Z. */
+    std::vector<std::string> components = {};
   };
 
   /** One state of the solid or of the fracture surfaces. */
@@ -35,7 +38,9 @@ namespace rift
     /** 4: tetrahedra. 3: triangles. */
     unsigned int nodes_per_cell = n_corners;
 
-    /** Coordinates, m. */
+    /** Coordinates, m, in the undeformed body: ParaView adds the displacement.
+     * They are in double precision, which they need at the coordinates of a
+     * mine; a field of displacements does not. */
     std::vector<Vector3<double>> points;
 
     /** Indices into `points`, cell after cell. */

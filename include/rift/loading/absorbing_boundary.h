@@ -5,6 +5,7 @@
 #include <rift/discretization/reference_cell_data.h>
 #include <rift/discretization/work.h>
 #include <rift/mesh/surface.h>
+#include <rift/module/module.h>
 
 #include <functional>
 #include <vector>
@@ -17,7 +18,7 @@ namespace rift
    * 32). They act with the mean velocity of the step, so that they neither
    * shorten the time step nor make energy.
    */
-  class AbsorbingBoundary
+  class AbsorbingBoundary : public Module
   {
   public:
     /** Impedance, Pa s/m, of a material for waves along a normal. */
@@ -25,10 +26,54 @@ namespace rift
       std::function<Matrix3<double>(std::uint16_t          material,
                                     const Vector3<double> &normal)>;
 
-    AbsorbingBoundary(const Topology          &topology,
+    /** @param name of the surface. */
+    AbsorbingBoundary(const std::string       &name,
+                      const Topology          &topology,
                       const ReferenceCellData &reference,
                       Surface                  surface,
                       Impedance                impedance);
+
+    Stage
+    stage() const override
+    {
+      return Stage::loads;
+    }
+
+    void
+    constrain(StepContext &step) override
+    {
+      add_to(step.body.state, step.time_step);
+    }
+
+    void
+    count_work(const StepContext &step) override
+    {
+      count_work(step.body.state, step.time_step);
+    }
+
+    void
+    update_nodes(const std::vector<VertexIndex> &) override
+    {
+      update_nodes();
+    }
+
+    void
+    account(const Discretization &, EnergyTable &energies) const override
+    {
+      energies["damping"].add(work_done.sum());
+    }
+
+    void
+    save(const Discretization &, Archive &archive) const override
+    {
+      work_done.save(archive_name, archive);
+    }
+
+    void
+    load(const Discretization &, const Archive &archive) override
+    {
+      work_done.load(archive_name, archive);
+    }
 
     /**
      * Adds the forces of the dashpots. To be called after all other forces but
@@ -56,6 +101,7 @@ namespace rift
     update_nodes();
 
   private:
+    const std::string        archive_name;
     const Topology          &topology;
     const ReferenceCellData &reference;
     const Surface            surface;

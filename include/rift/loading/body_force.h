@@ -1,27 +1,45 @@
 #ifndef rift_loading_body_force_h
 #define rift_loading_body_force_h
 
-#include <rift/base/exact_sum.h>
-#include <rift/discretization/state.h>
-#include <rift/loading/loading_parameters.h>
+#include <rift/module/module.h>
 
 #include <cmath>
 
 namespace rift
 {
   /** Gravity; not constructed where there is none. */
-  class BodyForce
+  class BodyForce : public Module
   {
   public:
-    explicit BodyForce(const BodyForceParameters &parameters)
-      : gravity(parameters.gravity)
+    /** @param gravity acceleration, m/s^2. */
+    explicit BodyForce(const Vector3<double> &gravity)
+      : gravity(gravity)
     {
     }
 
-    static bool
-    is_needed(const BodyForceParameters &parameters)
+    Stage
+    stage() const override
     {
-      return dot(parameters.gravity, parameters.gravity) > 0;
+      return Stage::loads;
+    }
+
+    /** Everything moves from the start. */
+    void
+    prepare(Discretization &body, const StepBound &) override
+    {
+      body.activity.wake_all(body.topology);
+    }
+
+    void
+    add_forces(StepContext &step) override
+    {
+      add_to(step.body.state);
+    }
+
+    void
+    account(const Discretization &body, EnergyTable &energies) const override
+    {
+      energies["loads"].add(work(body.topology, body.state));
     }
 
     void

@@ -53,21 +53,6 @@ namespace rift
     void
     check() const;
   };
-
-  /** Subsection `Body force`. */
-  struct BodyForceParameters
-  {
-    /** Acceleration of gravity, m/s^2. */
-    Vector3<double> gravity = {{0, 0, 0}};
-
-    /** Declares the entries of subsection `Body force`. */
-    static void
-    declare(dealii::ParameterHandler &prm);
-
-    /** Reads subsection `Body force`. */
-    static BodyForceParameters
-    parse(dealii::ParameterHandler &prm);
-  };
 } // namespace rift
 
 #endif

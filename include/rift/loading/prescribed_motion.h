@@ -6,6 +6,7 @@
 #include <rift/loading/loading_parameters.h>
 #include <rift/loading/time_function.h>
 #include <rift/mesh/surface.h>
+#include <rift/module/module.h>
 
 #include <optional>
 #include <vector>
@@ -17,7 +18,7 @@ namespace rift
    * surfaces meet, the first one in the .prm that prescribes a component
    * counts.
    */
-  class PrescribedMotion
+  class PrescribedMotion : public Module
   {
   public:
     /** A surface and what is said of it. */
@@ -32,6 +33,42 @@ namespace rift
 
     static bool
     is_needed(const BoundaryParameters &parameters);
+
+    Stage
+    stage() const override
+    {
+      return Stage::loads;
+    }
+
+    void
+    constrain(StepContext &step) override
+    {
+      impose(step.body.state, step.body.activity, step.time_step);
+    }
+
+    void
+    update_nodes(const std::vector<VertexIndex> &) override
+    {
+      update_nodes();
+    }
+
+    void
+    account(const Discretization &, EnergyTable &energies) const override
+    {
+      energies["loads"].add(work_done.sum());
+    }
+
+    void
+    save(const Discretization &, Archive &archive) const override
+    {
+      work_done.save("prescribed motion", archive);
+    }
+
+    void
+    load(const Discretization &, const Archive &archive) override
+    {
+      work_done.load("prescribed motion", archive);
+    }
 
     /**
      * Replaces the forces on prescribed components by those that make the
@@ -57,10 +94,10 @@ namespace rift
      * where its velocity is prescribed.
      */
     std::optional<double>
-    acceleration(const State &state,
-                 double       time_step,
-                 NodeIndex    node,
-                 unsigned int component) const;
+    prescribed_acceleration(const State &state,
+                            double       time_step,
+                            NodeIndex    node,
+                            unsigned int component) const override;
 
   private:
     struct Condition

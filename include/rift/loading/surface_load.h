@@ -6,6 +6,7 @@
 #include <rift/loading/loading_parameters.h>
 #include <rift/loading/time_function.h>
 #include <rift/mesh/surface.h>
+#include <rift/module/module.h>
 
 #include <optional>
 #include <vector>
@@ -17,7 +18,7 @@ namespace rift
    * area and along the current normal; traction is per undeformed area and
    * keeps its direction.
    */
-  class SurfaceLoad
+  class SurfaceLoad : public Module
   {
   public:
     /** @param parameters must have a pressure or a traction. */
@@ -27,6 +28,48 @@ namespace rift
 
     static bool
     is_needed(const BoundaryParameters &parameters);
+
+    Stage
+    stage() const override
+    {
+      return Stage::loads;
+    }
+
+    void
+    add_forces(StepContext &step) override
+    {
+      add_to(step.body.state, step.body.activity);
+    }
+
+    void
+    count_work(const StepContext &step) override
+    {
+      count_work(step.body.state, step.time_step);
+    }
+
+    void
+    update_nodes(const std::vector<VertexIndex> &) override
+    {
+      update_nodes();
+    }
+
+    void
+    account(const Discretization &, EnergyTable &energies) const override
+    {
+      energies["loads"].add(work_done.sum());
+    }
+
+    void
+    save(const Discretization &, Archive &archive) const override
+    {
+      work_done.save(archive_name, archive);
+    }
+
+    void
+    load(const Discretization &, const Archive &archive) override
+    {
+      work_done.load(archive_name, archive);
+    }
 
     /** Adds the forces at `state.time`. */
     void
@@ -52,6 +95,7 @@ namespace rift
 
   private:
     const Topology                            &topology;
+    const std::string                          archive_name;
     const Surface                              surface;
     std::optional<TimeFunction>                pressure;
     std::array<std::optional<TimeFunction>, 3> traction;

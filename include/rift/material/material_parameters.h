@@ -7,6 +7,7 @@
 #include <rift/material/microcracks.h>
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,16 +25,14 @@ namespace rift
    */
   struct MaterialParameters
   {
-    enum class Elasticity
+    /** Names of elastic laws that other parts of rift ask for; material/laws
+     * has them all. */
+    struct Elasticity
     {
-      isotropic,
-      anisotropic,
-
-      /** What microcracks leave of an isotropic one. */
-      microcracked,
-
-      /** Does not deform at all. */
-      rigid
+      static constexpr const char *isotropic    = "isotropic";
+      static constexpr const char *anisotropic  = "anisotropic";
+      static constexpr const char *microcracked = "microcracked";
+      static constexpr const char *rigid        = "rigid";
     };
 
     std::string name;
@@ -41,7 +40,11 @@ namespace rift
     /** Mass density, kg/m^3. */
     double density = 0;
 
-    Elasticity elasticity = Elasticity::isotropic;
+    /** Name of the elastic law. */
+    std::string elasticity = Elasticity::isotropic;
+
+    /** The entries that single elastic laws have of their own, by name. */
+    std::map<std::string, double> elastic_constants;
 
     /** Isotropic, or intact: Young's modulus, Pa, and Poisson's ratio. */
     double youngs_modulus = 0;

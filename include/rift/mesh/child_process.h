@@ -36,7 +36,9 @@ namespace rift
    * child ...".
    * @throws RunError when no process can be made.
    *
-   * `work` must not use MPI. The child may take `memory_limit` bytes beyond
+   * `work` must not use MPI, which may have been started here: fork() is sound
+   * then as this process only waits until its child has ended (see "gmsh's
+   * process" in doc/architecture.md). The child may take `memory_limit` bytes beyond
    * those of this process, and never more than the machine has, so that a
    * nonsensical request fails at once instead of bringing the machine down.
    */

@@ -48,15 +48,22 @@ namespace rift
     std::uint32_t   local_face;
   };
 
-  /** What holds the two sides of an interior face together. */
+  /** What has become of an interior face. It passes through these states in
+   * their order; some may be left out. */
   enum class FaceState : std::uint8_t
   {
     /** The cells share their nodes as far as the cracks around allow. */
     intact,
-    /** A cohesive element has been inserted. */
-    cohesive,
-    /** The cohesive element has failed: no tension is left. */
-    broken
+    /** Cut, but nothing has opened yet. */
+    cut,
+    /** Its cohesive element has begun to open, or has damage where all faces
+     * have an element from the start. */
+    opening,
+    /** The cohesive element has failed: no tension is left, but it resists
+     * overlap and sliding. */
+    failed,
+    /** The cohesive element has let go and resists nothing any more. */
+    released
   };
 
   /**

@@ -3,9 +3,11 @@
 
 #include <rift/base/communicator.h>
 #include <rift/discretization/activity.h>
+#include <rift/discretization/field_list.h>
 #include <rift/discretization/work.h>
 #include <rift/loading/time_function.h>
 #include <rift/material/material_parameters.h>
+#include <rift/module/module.h>
 #include <rift/rigid/rigid_motion.h>
 #include <rift/rigid/rigid_pieces.h>
 
@@ -14,21 +16,13 @@
 
 namespace rift
 {
-  /** The motion of a rigid body, for a checkpoint. */
-  struct RigidBodyRecord
-  {
-    Vector3<double> displacement;
-    double          rotation;
-    Vector3<double> axis, velocity, angular_momentum;
-  };
-
   /**
    * The bodies whose cells do not deform. All ranks know the motion of all of
    * them; each moves the nodes that it sees. The forces on the nodes are
    * replaced by those that move them as a body, so that kick, drift and ledger
    * need not know of it. Mass and inertia are those of the lumped masses.
    */
-  class RigidBodies
+  class RigidBodies : public Module
   {
   public:
     /**
@@ -43,6 +37,48 @@ namespace rift
                 const std::vector<MaterialParameters> &materials,
                 const Communicator                    &communicator);
 
+    Stage
+    stage() const override
+    {
+      return Stage::loads;
+    }
+
+    std::string
+    description() const override
+    {
+      return "Rigid bodies: " + std::to_string(n_bodies());
+    }
+
+    void
+    start_velocities(StepContext &step) override
+    {
+      start(step.body.state, step.time_step);
+    }
+
+    void
+    constrain(StepContext &step) override
+    {
+      move(step.body.state, step.body.activity, step.time_step);
+    }
+
+    void
+    account(const Discretization &, EnergyTable &energies) const override
+    {
+      energies["loads"].add(work_done.sum());
+    }
+
+    void
+    declare_fields(FieldList &list) const override
+    {
+      declare_fields(list, this);
+    }
+
+    void
+    save(const Discretization &, Archive &archive) const override;
+
+    void
+    load(const Discretization &, const Archive &archive) override;
+
     /**
      * Sets the velocities half a step before the start, as
      * start_velocities() does for all else, which must have been called.
@@ -56,7 +92,8 @@ namespace rift
      * those there. To be called between the last force and the kick.
      * Collective.
      *
-     * @throws RunError on all ranks when a body turns too fast for the step.
+     * @throws CollectiveError when a body turns too fast for the step; the
+     *   others have been moved then.
      */
     void
     move(State &state, Activity &activity, double time_step);
@@ -90,11 +127,10 @@ namespace rift
     std::array<ExactSum, dim>
     force(const std::string &material) const;
 
-    std::vector<RigidBodyRecord>
-    records() const;
-
-    void
-    restore(const std::vector<RigidBodyRecord> &records);
+    /** Declares the force on the bodies of a material.
+     * @param bodies null: the names alone. */
+    static void
+    declare_fields(FieldList &list, const RigidBodies *bodies);
 
   private:
     struct Body

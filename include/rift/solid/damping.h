@@ -4,6 +4,7 @@
 #include <rift/discretization/activity.h>
 #include <rift/discretization/reference_cell_data.h>
 #include <rift/discretization/work.h>
+#include <rift/module/module.h>
 
 #include <vector>
 
@@ -14,13 +15,62 @@ namespace rift
    * eq. 8), taken at the velocity of half a step ago. Only constructed when a
    * material has a viscosity.
    */
-  class Damping
+  class Damping : public Module
   {
   public:
     /** @param viscosities Pa s, one for each material index. */
     Damping(const Topology          &topology,
             const ReferenceCellData &reference,
             std::vector<double>      viscosities);
+
+    Stage
+    stage() const override
+    {
+      return Stage::loads;
+    }
+
+    void
+    limit_step(StepLimits &limits) const override
+    {
+      for (std::size_t i = 0; i < viscosities.size(); ++i)
+        limits.materials[i].viscosity = viscosities[i];
+    }
+
+    void
+    prepare(Discretization &body, const StepBound &) override
+    {
+      body.exchange.include_velocities();
+    }
+
+    void
+    add_forces(StepContext &step) override
+    {
+      add_to(step.body.state, step.body.activity);
+    }
+
+    void
+    count_work(const StepContext &step) override
+    {
+      count_work(step.body.state, step.time_step);
+    }
+
+    void
+    account(const Discretization &, EnergyTable &energies) const override
+    {
+      energies["damping"].add(work_done.sum());
+    }
+
+    void
+    save(const Discretization &, Archive &archive) const override
+    {
+      work_done.save("viscosity", archive);
+    }
+
+    void
+    load(const Discretization &, const Archive &archive) override
+    {
+      work_done.load("viscosity", archive);
+    }
 
     /** Adds the viscous forces of all cells that are awake. */
     void

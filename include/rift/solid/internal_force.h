@@ -3,6 +3,7 @@
 
 #include <rift/base/exact_sum.h>
 #include <rift/discretization/activity.h>
+#include <rift/discretization/field_list.h>
 #include <rift/discretization/reference_cell_data.h>
 #include <rift/discretization/state.h>
 #include <rift/material/elasticity.h>
@@ -108,6 +109,11 @@ namespace rift
     /** Cauchy stress of one cell, Pa. */
     SymmetricTensor<double>
     cauchy_stress(const State &state, CellIndex cell) const;
+
+    /** Declares what is known of the stress in cells.
+     * @param force null: the names alone. */
+    static void
+    declare_fields(FieldList &list, const InternalForce *force);
 
     /** Strain energy of the cells that this rank owns, J. */
     ExactSum

@@ -1,7 +1,8 @@
 #ifndef rift_time_integration_energy_ledger_h
 #define rift_time_integration_energy_ledger_h
 
-#include <rift/base/exact_sum.h>
+#include <rift/base/archive.h>
+#include <rift/module/energy_table.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,65 +10,6 @@
 
 namespace rift
 {
-  /**
-   * Energies at one time, J. All are computed from the state or from what
-   * each module has used up by its own law, none as the difference of the
-   * others, so that the residual tells of errors.
-   */
-  struct Energies
-  {
-    double kinetic  = 0;
-    double strain   = 0;
-    double cohesive = 0;
-    double fracture = 0;
-    double contact  = 0;
-    double friction = 0;
-    double damping  = 0;
-
-    /** Work that loads, reactions and gravity have done on the body. */
-    double loads = 0;
-
-    double
-    total() const
-    {
-      return kinetic + strain + cohesive + fracture + contact + friction +
-             damping;
-    }
-  };
-
-  /** What one rank owns of the energies, J. */
-  struct EnergySums
-  {
-    ExactSum kinetic, strain, cohesive, fracture, contact, friction, damping,
-      loads;
-
-    /** The energies of the whole body. Collective. */
-    Energies
-    total(const Communicator &communicator) const
-    {
-      EnergySums all = *this;
-      ExactSum::sum_over_ranks({&all.kinetic,
-                                &all.strain,
-                                &all.cohesive,
-                                &all.fracture,
-                                &all.contact,
-                                &all.friction,
-                                &all.damping,
-                                &all.loads},
-                               communicator);
-      Energies result;
-      result.kinetic  = all.kinetic.value();
-      result.strain   = all.strain.value();
-      result.cohesive = all.cohesive.value();
-      result.fracture = all.fracture.value();
-      result.contact  = all.contact.value();
-      result.friction = all.friction.value();
-      result.damping  = all.damping.value();
-      result.loads    = all.loads.value();
-      return result;
-    }
-  };
-
   /** Watches over the balance of energy. */
   class EnergyLedger
   {
@@ -77,12 +19,12 @@ namespace rift
     enter(const Energies &energies)
     {
       if (!has_started)
-        initial = energies.total() - energies.loads;
+        initial = energies.total() - energies["loads"];
       has_started = true;
       now         = energies;
       input       = std::max({input,
-                              std::abs(initial + energies.loads),
-                              energies.kinetic + energies.strain});
+                              std::abs(initial + energies["loads"]),
+                              energies["kinetic"] + energies["strain"]});
       largest_residual =
         std::max(largest_residual, std::abs(relative_residual()));
     }
@@ -97,7 +39,7 @@ namespace rift
     double
     residual() const
     {
-      return now.total() - now.loads - initial;
+      return now.total() - now["loads"] - initial;
     }
 
     /** The residual over the largest energy that was in play so far; infinite
@@ -110,27 +52,20 @@ namespace rift
       return input > 0 ? residual() / input : 0;
     }
 
-    /** All that the ledger remembers, J, for a checkpoint. */
-    struct Record
+    void
+    save(Archive &archive) const
     {
-      Energies now;
-      double   initial, input, largest_residual, has_started;
-    };
-
-    Record
-    record() const
-    {
-      return {now, initial, input, largest_residual, has_started ? 1. : 0.};
+      archive.write_value("ledger", Record{{initial, input, largest_residual}});
     }
 
     void
-    restore(const Record &record)
+    load(const Archive &archive)
     {
-      now              = record.now;
-      initial          = record.initial;
-      input            = record.input;
-      largest_residual = record.largest_residual;
-      has_started      = record.has_started != 0;
+      const auto record = archive.read_value<Record>("ledger");
+      initial           = record[0];
+      input             = record[1];
+      largest_residual  = record[2];
+      has_started       = true;
     }
 
     /** Largest relative residual of all times. */
@@ -141,6 +76,9 @@ namespace rift
     }
 
   private:
+    /** `initial`, `input` and `largest_residual`, J, J and 1. */
+    using Record = std::array<double, 3>;
+
     Energies now;
     double   initial = 0, input = 0, largest_residual = 0;
     bool     has_started = false;

@@ -111,15 +111,14 @@ def field_errors(problem, results):
     their centres, at the end."""
     last = sorted(glob.glob(os.path.join(results, "solid-*.vtu")))[-1]
     (points, cells, at_points, at_cells), = read_vtu(last)
-    x = points - at_points["displacement [m]"]
     t = problem.end_time
-    corners = x[cells]
+    corners = points[cells]
     edges = corners[:, 1:] - corners[:, :1]
     volumes = np.linalg.det(edges) / 6
-    shares = np.bincount(cells.ravel(), np.repeat(volumes / 4, 4), len(x))
-    nodes = problem.counts(x, t)
+    shares = np.bincount(cells.ravel(), np.repeat(volumes / 4, 4), len(points))
+    nodes = problem.counts(points, t)
     velocity = relative_error(at_points["velocity [m/s]"][nodes],
-                              problem.velocity(x[nodes], t), shares[nodes])
+                              problem.velocity(points[nodes], t), shares[nodes])
     centres = corners.mean(axis=1)
     inside = problem.counts(centres, t)
     # Shear stresses stand for two components of the tensor.

@@ -2,6 +2,7 @@
 #define rift_cohesive_laws_elastic_branch_h
 
 #include <rift/base/simd.h>
+#include <rift/cohesive/cohesive_model.h>
 
 namespace rift
 {
@@ -16,7 +17,8 @@ namespace rift
    */
   struct StraightBranch
   {
-    static constexpr bool is_straight = true;
+    static constexpr CohesiveModel model       = CohesiveModel::extrinsic;
+    static constexpr bool          is_straight = true;
 
     /** The trial at the peak, over the peak. */
     static constexpr double reach = 1;
@@ -35,8 +37,9 @@ namespace rift
    */
   struct ParabolicBranch
   {
-    static constexpr bool   is_straight = false;
-    static constexpr double reach       = 2;
+    static constexpr CohesiveModel model       = CohesiveModel::intrinsic;
+    static constexpr bool          is_straight = false;
+    static constexpr double        reach       = 2;
 
     /** None: as in the literature, the work of the rising branch comes on top
      * of the fracture energy. */

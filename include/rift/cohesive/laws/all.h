@@ -1,0 +1,22 @@
+#ifndef rift_cohesive_laws_all_h
+#define rift_cohesive_laws_all_h
+
+#include <rift/cohesive/laws/mohr_coulomb.h>
+
+namespace rift
+{
+  template <typename... Laws>
+  struct LawList
+  {
+  };
+
+  /**
+   * The cohesive laws that a scene can choose by their names; some laws go by
+   * one name and differ in the model that they serve. doc/adding-a-law.md says
+   * what a law consists of.
+   */
+  using CohesiveLaws =
+    LawList<MohrCoulomb<StraightBranch>, MohrCoulomb<ParabolicBranch>>;
+} // namespace rift
+
+#endif

@@ -1,0 +1,113 @@
+#ifndef rift_contact_contact_h
+#define rift_contact_contact_h
+
+#include <rift/cohesive/fracture.h>
+#include <rift/contact/contact_force.h>
+#include <rift/contact/contact_parameters.h>
+#include <rift/module/module.h>
+
+namespace rift
+{
+  /** The cells of bodies that do not deform, as contact sees them. */
+  struct RigidCells
+  {
+    /** The body that each cell slot belongs to, or invalid_index; empty where
+     * there are none. */
+    std::vector<std::uint32_t> body;
+
+    /** Whether nothing but prescribed velocities moves a material. */
+    std::vector<bool> is_driven;
+
+    std::uint32_t n_bodies = 0;
+  };
+
+  /** Contact of surfaces and cracks as a module. */
+  class Contact : public Module
+  {
+  public:
+    /**
+     * @param body,
+     * @param materials and
+     * @param stiffnesses, by material index, must outlive this object.
+     * @param fracture what breaks; null: nothing does.
+     */
+    Contact(Discretization                        &body,
+            const std::vector<MaterialParameters> &materials,
+            const std::vector<StiffnessMatrix>    &stiffnesses,
+            const ContactParameters               &parameters,
+            Fracture                              *fracture,
+            RigidCells                             rigid);
+
+    Stage
+    stage() const override
+    {
+      return Stage::contact;
+    }
+
+    void
+    limit_step(StepLimits &limits) const override;
+
+    void
+    prepare(Discretization &body, const StepBound &bound) override;
+
+    std::string
+    description() const override;
+
+    void
+    begin(StepContext &step) override
+    {
+      force->follow(step.body.state, step.time_step);
+      force->refuse_overlaps(materials);
+    }
+
+    void
+    add_forces(StepContext &step) override;
+
+    void
+    after_drift(StepContext &step) override
+    {
+      force->follow(step.body.state, step.time_step);
+    }
+
+    void
+    account(const Discretization &body, EnergyTable &energies) const override;
+
+    void
+    save(const Discretization &body, Archive &archive) const override;
+
+    void
+    load(const Discretization &body, const Archive &archive) override;
+
+    void
+    count_items(const Topology &topology, WorkItems &items) const override
+    {
+      force->count_pairs(topology, items);
+    }
+
+    /** Number of pairs of the whole body that touch. Collective. */
+    std::uint64_t
+    count_touching() const
+    {
+      return force->count_touching();
+    }
+
+  private:
+    /** What contact has to know of the cells. */
+    std::vector<ContactCellConstants>
+    cell_constants(const StepBound &bound) const;
+
+    /** Friction between each two materials. */
+    std::vector<std::vector<double>>
+    friction_table() const;
+
+    Discretization                        &body;
+    const std::vector<MaterialParameters> &materials;
+    const std::vector<StiffnessMatrix>    &stiffnesses;
+    const ContactParameters                parameters;
+    Fracture *const                        fracture;
+    const RigidCells                       rigid;
+    std::optional<ContactForce>            force;
+  };
+} // namespace rift
+
+#endif

@@ -1,0 +1,46 @@
+#ifndef rift_material_face_strength_h
+#define rift_material_face_strength_h
+
+#include <algorithm>
+
+namespace rift
+{
+  /** Strength of a plane in a material: what an interior face has of it. */
+  struct FaceStrength
+  {
+    /** Tensile strength and cohesion, Pa. */
+    double tensile_strength, cohesion;
+
+    /** Coefficients of internal friction, while the face is intact and once it
+     * has failed. */
+    double tan_friction_angle, residual_friction;
+
+    /** Fracture energies of modes I and II, J/m^2. */
+    double fracture_energy_1, fracture_energy_2;
+
+    /** With a share of the strength and of all friction, but the whole fracture
+     * energies. */
+    FaceStrength
+    times(const double share) const
+    {
+      return {share * tensile_strength,
+              share * cohesion,
+              share * tan_friction_angle,
+              share * residual_friction,
+              fracture_energy_1,
+              fracture_energy_2};
+    }
+
+    /** Part of the strength of eq. (11) that a plane bears, for its normal
+     * stress (tension positive) and its shear stress, Pa. */
+    double
+    share_of(const double normal, const double shear) const
+    {
+      return std::max(normal / tensile_strength,
+                      shear /
+                        (cohesion - std::min(normal, 0.) * tan_friction_angle));
+    }
+  };
+} // namespace rift
+
+#endif

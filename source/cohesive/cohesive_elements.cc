@@ -1,0 +1,45 @@
+#include <rift/cohesive/cohesive_elements_of.h>
+#include <rift/cohesive/laws/all.h>
+
+#include <stdexcept>
+
+namespace rift
+{
+  namespace
+  {
+    template <typename... Laws, typename... Arguments>
+    std::unique_ptr<CohesiveElements>
+    make_elements(LawList<Laws...>,
+                  const CohesiveParameters &parameters,
+                  Arguments &...arguments)
+    {
+      std::unique_ptr<CohesiveElements> elements;
+      const auto                        try_law = [&](auto *law) {
+        using Law = std::remove_pointer_t<decltype(law)>;
+        if (Law::name == parameters.law && Law::model == parameters.model)
+          elements = std::make_unique<CohesiveElementsOf<Law>>(arguments...);
+      };
+      (try_law(static_cast<Laws *>(nullptr)), ...);
+      return elements;
+    }
+  } // namespace
+
+  std::unique_ptr<CohesiveElements>
+  make_cohesive_elements(const CohesiveParameters &parameters,
+                         CohesiveFaces            &faces,
+                         const Topology           &topology,
+                         const FaceStrengths      &strengths,
+                         FaceSlope                 slope)
+  {
+    auto elements = make_elements(CohesiveLaws(),
+                                  parameters,
+                                  faces,
+                                  topology,
+                                  strengths,
+                                  slope);
+    if (!elements)
+      throw std::logic_error("no cohesive law \"" + parameters.law +
+                             "\" for this model");
+    return elements;
+  }
+} // namespace rift

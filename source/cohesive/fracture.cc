@@ -1,0 +1,126 @@
+#include <rift/cohesive/fracture.h>
+
+#include <algorithm>
+
+namespace rift
+{
+  namespace
+  {
+    /** Of the names under which a checkpoint has the fields of Gauss points. */
+    const std::string points_prefix = "cohesive points: ";
+  } // namespace
+
+  Fracture::Fracture(Discretization                        &body,
+                     InternalForce                         &internal_force,
+                     const std::vector<MaterialParameters> &materials,
+                     const std::vector<StiffnessMatrix>    &stiffnesses,
+                     const CohesiveParameters              &parameters)
+    : body(body)
+    , internal_force(internal_force)
+    , materials(materials)
+    , stiffnesses(stiffnesses)
+    , parameters(parameters)
+  {
+  }
+
+  void
+  Fracture::limit_step(StepLimits &limits) const
+  {
+    if (is_extrinsic())
+      for (std::size_t i = 0; i < materials.size(); ++i)
+        {
+          double &factor = limits.materials[i].stiffness_factor;
+          if (materials[i].breakable)
+            factor = std::max(factor, parameters.stiffness_factor);
+        }
+    else
+      limits.added_frequency_squared =
+        [slopes = PenaltySlopes(body.topology,
+                                body.reference,
+                                body.state,
+                                parameters.penalty,
+                                materials,
+                                stiffnesses)](const CellIndex cell) {
+          return slopes.frequency_squared(cell);
+        };
+  }
+
+  void
+  Fracture::prepare(Discretization &body, const StepBound &bound)
+  {
+    const FaceSlope slope =
+      is_extrinsic() ? slopes_that_the_step_allows(body.topology,
+                                                   body.reference,
+                                                   stiffnesses,
+                                                   body.densities,
+                                                   bound.frequency_squared) :
+                       FaceSlope(PenaltySlopes(body.topology,
+                                               body.reference,
+                                               body.state,
+                                               parameters.penalty,
+                                               materials,
+                                               stiffnesses));
+    strengths.emplace(body.topology,
+                      body.reference,
+                      materials,
+                      parameters,
+                      body.communicator);
+    force.emplace(body.topology, body.reference, *strengths, parameters, slope);
+    if (is_extrinsic())
+      {
+        insertion.emplace(body.topology,
+                          body.reference,
+                          internal_force,
+                          *strengths,
+                          parameters);
+        internal_force.watch(strengths->stress_bounds());
+      }
+    else
+      force->start_all(body.state);
+  }
+
+  void
+  Fracture::choose_cuts(const StepContext &step, std::vector<FaceIndex> &faces)
+  {
+    if (insertion && !internal_force.hot_cells().empty())
+      faces =
+        insertion->find_faces(step.body.state, internal_force.hot_cells());
+  }
+
+  void
+  Fracture::account(const Discretization &body, EnergyTable &energies) const
+  {
+    const CohesiveEnergy energy = force->energy(body.state);
+    energies["cohesive"].add(energy.recoverable);
+    energies["fracture"].add(energy.fracture);
+    energies["friction"].add(energy.friction);
+  }
+
+  void
+  Fracture::save(const Discretization &, Archive &archive) const
+  {
+    const CohesiveRecords records = force->records();
+    archive.write_list("cohesive faces", records.faces);
+    for (const auto &[name, numbers] : records.points)
+      archive.write_list(points_prefix + name, numbers);
+  }
+
+  void
+  Fracture::load(const Discretization &body, const Archive &archive)
+  {
+    CohesiveRecords records;
+    records.faces = archive.read_list<CohesiveFaceRecord>("cohesive faces");
+    for (const auto &[name, entry] : archive.entries())
+      if (name.compare(0, points_prefix.size(), points_prefix) == 0)
+        records.points[name.substr(points_prefix.size())] =
+          archive.read_list<double>(name);
+    force->restore(body.state, records);
+  }
+
+  void
+  Fracture::count_items(const Topology &topology, WorkItems &items) const
+  {
+    for (const CohesiveFaceInfo &info : force->faces().infos)
+      ++items[topology.faces[info.face].cells[0]];
+  }
+} // namespace rift

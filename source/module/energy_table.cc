@@ -1,0 +1,82 @@
+#include <rift/module/energy_table.h>
+
+#include <algorithm>
+
+namespace rift
+{
+  namespace
+  {
+    const std::string loads = "loads";
+
+    template <typename Terms>
+    auto
+    find_term(Terms &terms, const std::string &name)
+    {
+      return std::find_if(terms.begin(), terms.end(), [&](const auto &term) {
+        return term.first == name;
+      });
+    }
+  } // namespace
+
+  Energies::Energies()
+  {
+    for (const char *name : {"kinetic",
+                             "strain",
+                             "cohesive",
+                             "fracture",
+                             "contact",
+                             "friction",
+                             "damping"})
+      all.emplace_back(name, 0);
+    all.emplace_back(loads, 0);
+  }
+
+  double
+  Energies::operator[](const std::string &name) const
+  {
+    const auto term = find_term(all, name);
+    return term == all.end() ? 0 : term->second;
+  }
+
+  double &
+  Energies::at(const std::string &name)
+  {
+    auto term = find_term(all, name);
+    if (term == all.end())
+      term = all.insert(find_term(all, loads), {name, 0});
+    return term->second;
+  }
+
+  double
+  Energies::total() const
+  {
+    double sum = 0;
+    for (const auto &[name, energy] : all)
+      if (name != loads)
+        sum += energy;
+    return sum;
+  }
+
+  ExactSum &
+  EnergyTable::operator[](const std::string &name)
+  {
+    auto term = find_term(sums, name);
+    if (term == sums.end())
+      term = sums.insert(sums.end(), {name, ExactSum()});
+    return term->second;
+  }
+
+  Energies
+  EnergyTable::total(const Communicator &communicator) const
+  {
+    auto                    all = sums;
+    std::vector<ExactSum *> pointers;
+    for (auto &[name, sum] : all)
+      pointers.push_back(&sum);
+    ExactSum::sum_over_ranks(pointers, communicator);
+    Energies result;
+    for (const auto &[name, sum] : all)
+      result.at(name) = sum.value();
+    return result;
+  }
+} // namespace rift
