@@ -14,11 +14,16 @@ namespace
   execute(const rift::CommandLine &command, const bool speaks)
   {
     // The other ranks have nothing to print.
+    const bool   is_run = command.action == rift::CommandLine::Action::run;
     std::ostream nowhere(nullptr);
+    // Results go to files: a run does not need anybody who reads what it
+    // prints, and goes on when its pipe is closed or its disk full.
+    if (is_run)
+      std::signal(SIGPIPE, SIG_IGN);
     rift::execute(speaks ? std::cout : nowhere, command);
-    // Results of a run go to files: nobody needs to read what it prints.
-    const bool prints = command.action != rift::CommandLine::Action::run;
-    if (speaks && prints && !std::cout.flush())
+    if (is_run)
+      return;
+    if (speaks && !std::cout.flush())
       throw rift::DiskError("cannot write to the standard output.");
   }
 

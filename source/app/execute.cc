@@ -3,7 +3,6 @@
 #include <rift/app/parameters.h>
 #include <rift/app/run.h>
 
-#include <csignal>
 #include <ostream>
 
 namespace rift
@@ -28,9 +27,6 @@ namespace rift
         out << command.scene << " is a valid scene.\n";
         break;
       case Action::run:
-        // Results go to files: a run does not need anybody who reads what it
-        // prints, and goes on when its pipe is closed or its disk full.
-        std::signal(SIGPIPE, SIG_IGN);
         run_simulation(read_parameters(command.scene, command.overrides),
                        command.restart);
         break;
