@@ -8,8 +8,7 @@ set(order ${rift_folders})
 foreach(folder ${order})
   list(APPEND allowed ${folder})
   file(GLOB_RECURSE files RELATIVE ${ROOT}
-    ${ROOT}/include/rift/${
-  folder}/*.h ${ROOT}/source/${folder}/*.cc)
+    ${ROOT}/include/rift/${folder}/*.h ${ROOT}/source/${folder}/*.cc)
   list(LENGTH files n_files)
   if(n_files EQUAL 0)
     message(SEND_ERROR "there are no files of the folder ${folder}")
