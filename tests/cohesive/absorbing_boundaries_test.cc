@@ -4,7 +4,7 @@
 #include <rift/loading/absorbing_boundaries.h>
 #include <rift/material/wave_speeds.h>
 
-#include "../cohesive/breaking_body.h"
+#include "breaking_body.h"
 #include <gtest/gtest.h>
 
 using namespace rift;
