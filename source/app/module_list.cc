@@ -1,6 +1,6 @@
 #include <rift/app/module_list.h>
 #include <rift/damping/local_damping_parameters.h>
-#include <rift/loading/absorbing_boundary.h>
+#include <rift/loading/absorbing_boundaries.h>
 #include <rift/loading/body_force_parameters.h>
 #include <rift/loading/prescribed_motion.h>
 #include <rift/loading/surface_load.h>
@@ -108,15 +108,19 @@ namespace rift
                                                   std::move(moved));
     }
 
-    std::unique_ptr<AbsorbingBoundary>
-    make_absorbing_boundary(const BoundaryParameters &boundary,
-                            const Body               &body)
+    std::unique_ptr<AbsorbingBoundaries>
+    make_absorbing_boundaries(const Parameters &parameters, const Body &body)
     {
-      return std::make_unique<AbsorbingBoundary>(
-        boundary.name,
+      std::vector<AbsorbingBoundaries::Boundary> absorbing;
+      for (const BoundaryParameters &boundary : parameters.boundaries)
+        if (boundary.absorbs)
+          absorbing.push_back({boundary.name, body.surfaces.at(boundary.name)});
+      if (absorbing.empty())
+        return nullptr;
+      return std::make_unique<AbsorbingBoundaries>(
         body.discretization.topology,
         body.discretization.reference,
-        body.surfaces.at(boundary.name),
+        std::move(absorbing),
         [&body](const std::uint16_t material, const Vector3<double> &normal) {
           return impedance(body.stiffnesses[material],
                            body.discretization.densities[material],
@@ -158,9 +162,8 @@ namespace rift
     for (const auto &module : parameters.modules)
       add(module->make(body.discretization, body.materials));
     add(make_damping(body));
-    for (const BoundaryParameters &boundary : parameters.boundaries)
-      if (boundary.absorbs)
-        add(make_absorbing_boundary(boundary, body));
+    // Behind all others that add forces, which its own depend on.
+    add(make_absorbing_boundaries(parameters, body));
     add(make_prescribed_motion(parameters, body));
     modules.rigid_bodies = add(std::move(rigid_bodies));
     std::stable_sort(

@@ -33,8 +33,11 @@ namespace rift
         {"Boundary",
          "What acts on a physical surface of the mesh, whose name it has. A "
          "function of time is an expression in t, or the path of a table "
-         "that ends with .csv, relative to the .prm. A surface without "
-         "subsection is free."},
+         "that ends with .csv, relative to the .prm; a table acts with its "
+         "mean "
+         "over each time step, an expression with its value in the middle. A "
+         "load whose forces act along prescribed velocities alone is an error. "
+         "A surface without subsection is free."},
         {"Fracture", "How cracks are computed."},
         {"Contact", "What happens where surfaces meet."},
         {"Time", "The time steps."},

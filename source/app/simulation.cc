@@ -105,6 +105,27 @@ namespace rift
         if (const std::string text = module->description(); !text.empty())
           log.write(text);
       }
+    check_loads();
+  }
+
+  void
+  Simulation::check_loads() const
+  {
+    const auto is_prescribed = [this](const NodeIndex    node,
+                                      const unsigned int component) {
+      return std::any_of(modules.begin(),
+                         modules.end(),
+                         [&](const auto &module) {
+                           return module->prescribes(node, component);
+                         });
+    };
+    for (const auto &module : modules)
+      module->check_effect(body.discretization, is_prescribed);
+    for (const auto &module : modules)
+      for (const std::string &doubt : module->doubts(body.discretization,
+                                                     steps.time_step,
+                                                     steps.last_step))
+        log.write("WARNING: " + doubt);
   }
 
   void

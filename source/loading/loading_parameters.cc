@@ -96,6 +96,12 @@ namespace rift
                                  "traction or a velocity. Remove one of the "
                                  "two.");
       }
+    if (!pressure.empty() && !velocity[0].empty() && !velocity[1].empty() &&
+        !velocity[2].empty())
+      throw ParameterError(section,
+                           "Pressure",
+                           "all three velocities are set too, so that it moves "
+                           "nothing. Remove it, or one of them.");
     if (is_free)
       throw ParameterError(section,
                            "Pressure",

@@ -29,7 +29,8 @@ namespace rift
   PrescribedMotion::update_nodes()
   {
     conditions.clear();
-    prescribed_components.assign(topology.n_nodes(), 0);
+    function_of.assign(topology.n_nodes(),
+                       {{no_function, no_function, no_function}});
     std::uint16_t function = 0;
     for (const Boundary &boundary : boundaries)
       {
@@ -40,9 +41,9 @@ namespace rift
               continue;
             for (const NodeIndex node : nodes)
               if (topology.is_complete(topology.node_vertices[node]) &&
-                  !((prescribed_components[node] >> d) & 1))
+                  !prescribes(node, d))
                 {
-                  prescribed_components[node] |= 1u << d;
+                  function_of[node][d] = function;
                   conditions.push_back(
                     {node, static_cast<std::uint8_t>(d), function});
                 }
@@ -57,15 +58,64 @@ namespace rift
                                             const NodeIndex    node,
                                             const unsigned int component) const
   {
-    if (!((prescribed_components[node] >> component) & 1))
+    if (!prescribes(node, component))
       return {};
-    // Asked for a few nodes of a few steps: a search will do.
-    for (const Condition &c : conditions)
-      if (c.node == node && c.component == component)
-        return (functions[c.function](state.time + .5 * time_step) -
-                state.velocity[node][component]) /
-               time_step;
-    return {};
+    const TimeFunction &function = functions[function_of[node][component]];
+    return (function.mean_after(state.time, time_step) -
+            state.velocity[node][component]) /
+           time_step;
+  }
+
+  std::vector<std::string>
+  PrescribedMotion::doubts(const Discretization &body,
+                           const double          time_step,
+                           const std::uint64_t   n_steps) const
+  {
+    std::vector<std::string> result = doubts_of_order(body.communicator);
+    if (body.communicator.is_root())
+      add_doubts(functions, time_step, n_steps, result);
+    return result;
+  }
+
+  std::vector<std::string>
+  PrescribedMotion::doubts_of_order(const Communicator &communicator) const
+  {
+    // How many nodes each function counts at, and at how many another one with
+    // another text does.
+    std::vector<std::int64_t> counts(functions.size()),
+      others(functions.size());
+    std::uint16_t function = 0;
+    for (const Boundary &boundary : boundaries)
+      {
+        const auto nodes = surface_nodes(topology, boundary.surface);
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            if (boundary.parameters.velocity[d].empty())
+              continue;
+            for (const NodeIndex node : nodes)
+              if (topology.owns_node(node))
+                {
+                  const std::uint16_t first = function_of[node][d];
+                  counts[function] += first == function ? 1 : 0;
+                  others[function] += functions[first].expression() !=
+                                          functions[function].expression() ?
+                                        1 :
+                                        0;
+                }
+            ++function;
+          }
+      }
+    communicator.sum(counts);
+    communicator.sum(others);
+    std::vector<std::string> result;
+    for (std::size_t i = 0; i < functions.size(); ++i)
+      if (counts[i] == 0 && others[i] > 0)
+        result.push_back(
+          functions[i].name() + ": \"" + functions[i].expression() +
+          "\" has no effect, since all its nodes belong to boundaries that "
+          "stand before it in the scene and prescribe this component as well. "
+          "Remove one of them, or change their order.");
+    return result;
   }
 
   void
@@ -75,7 +125,7 @@ namespace rift
   {
     std::vector<double> targets;
     for (const TimeFunction &function : functions)
-      targets.push_back(function(state.time + .5 * time_step));
+      targets.push_back(function.mean_after(state.time, time_step));
 
     work_done.begin_step();
     for (const Condition &c : conditions)

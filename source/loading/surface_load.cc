@@ -1,3 +1,4 @@
+#include <rift/loading/effect_check.h>
 #include <rift/loading/surface_load.h>
 
 #include <algorithm>
@@ -15,6 +16,12 @@ namespace rift
       if (text.empty())
         return {};
       return TimeFunction(text, "Boundary " + boundary + " / " + entry, unit);
+    }
+
+    Vector3<double>
+    area_vector(const std::array<Vector3<double>, 3> &x)
+    {
+      return .5 * cross(x[1] - x[0], x[2] - x[0]);
     }
   } // namespace
 
@@ -45,6 +52,56 @@ namespace rift
   }
 
   void
+  SurfaceLoad::check_effect(const Discretization &body,
+                            const IsPrescribed   &is_prescribed) const
+  {
+    const EffectCheck check(body, is_prescribed);
+    if (pressure)
+      {
+        std::vector<Vector3<double>> areas(nodes.size());
+        for (const auto &positions : face_positions)
+          {
+            std::array<Vector3<double>, 3> x;
+            for (unsigned int c = 0; c < 3; ++c)
+              x[c] = body.state.reference[nodes[positions[c]]].vector();
+            for (const std::uint32_t position : positions)
+              areas[position] += area_vector(x);
+          }
+        check.refuse_idle(pressure->name(),
+                          pressure->expression(),
+                          nodes,
+                          [&](const std::size_t i) { return areas[i]; });
+      }
+    for (unsigned int d = 0; d < dim; ++d)
+      if (traction[d])
+        {
+          Vector3<double> direction{};
+          direction[d] = 1;
+          check.refuse_idle(traction[d]->name(),
+                            traction[d]->expression(),
+                            nodes,
+                            [&](std::size_t) { return direction; });
+        }
+  }
+
+  std::vector<std::string>
+  SurfaceLoad::doubts(const Discretization &body,
+                      const double          time_step,
+                      const std::uint64_t   n_steps) const
+  {
+    std::vector<TimeFunction> functions;
+    if (pressure)
+      functions.push_back(*pressure);
+    for (const auto &component : traction)
+      if (component)
+        functions.push_back(*component);
+    std::vector<std::string> result;
+    if (body.communicator.is_root())
+      add_doubts(functions, time_step, n_steps, result);
+    return result;
+  }
+
+  void
   SurfaceLoad::update_nodes()
   {
     nodes = surface_nodes(topology, surface);
@@ -63,21 +120,19 @@ namespace rift
   }
 
   void
-  SurfaceLoad::add_to(State &state, Activity &activity)
+  SurfaceLoad::add_to(State &state, Activity &activity, const double time_step)
   {
-    const double    p = pressure ? (*pressure)(state.time) : 0;
+    const double p =
+      pressure ? pressure->mean_around(state.time, time_step) : 0;
     Vector3<double> t = {{0, 0, 0}};
     for (unsigned int d = 0; d < dim; ++d)
       if (traction[d])
-        t[d] = (*traction[d])(state.time);
+        t[d] = traction[d]->mean_around(state.time, time_step);
     std::fill(forces.begin(), forces.end(), Vector3<double>{{0, 0, 0}});
     is_loaded = p != 0 || dot(t, t) != 0;
     if (!is_loaded)
       return;
 
-    const auto area_vector = [](const auto &x) {
-      return .5 * cross(x[1] - x[0], x[2] - x[0]);
-    };
     for (const auto &positions : face_positions)
       {
         std::array<Vector3<double>, 3> x, reference;

@@ -110,7 +110,10 @@ namespace rift
     if (this->text.empty())
       refuse(this->text, where, "it is empty.");
     if (names_a_table(this->text))
-      function = TimeTable(this->text, where, unit);
+      {
+        table    = std::make_shared<TimeTable>(this->text, where, unit);
+        function = [table = table](const double t) { return (*table)(t); };
+      }
     else
       function = parse(this->text, where);
   }
@@ -125,5 +128,21 @@ namespace rift
                      " s. Change the expression so that it is finite during "
                      "the whole run.");
     return value;
+  }
+
+  double
+  TimeFunction::mean_around(const double t, const double time_step) const
+  {
+    if (!table)
+      return (*this)(t);
+    return t > 0 ? table->mean(t, time_step) :
+                   table->mean(t + .25 * time_step, .5 * time_step);
+  }
+
+  double
+  TimeFunction::mean_after(const double t, const double time_step) const
+  {
+    const double middle = t + .5 * time_step;
+    return table ? table->mean(middle, time_step) : (*this)(middle);
   }
 } // namespace rift

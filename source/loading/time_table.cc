@@ -163,4 +163,26 @@ namespace rift
     const double s = (t - times[i]) / (times[i + 1] - times[i]);
     return (1 - s) * values[i] + s * values[i + 1];
   }
+
+  double
+  TimeTable::mean(const double centre, const double width) const
+  {
+    const double begin = centre - .5 * width, end = centre + .5 * width;
+    auto         row  = std::upper_bound(times.begin(), times.end(), begin);
+    const auto   last = std::lower_bound(times.begin(), times.end(), end);
+    if (row >= last)
+      return (*this)(centre);
+
+    // The trapezoidal rule from row to row.
+    double     integral = 0, time = begin, value = (*this)(begin);
+    const auto go_to = [&](const double next_time, const double next_value) {
+      integral += .5 * (next_time - time) * (value + next_value);
+      time  = next_time;
+      value = next_value;
+    };
+    for (; row != last; ++row)
+      go_to(*row, values[row - times.begin()]);
+    go_to(end, (*this)(end));
+    return integral / width;
+  }
 } // namespace rift

@@ -236,8 +236,35 @@ namespace rift
     return drive[0] && drive[1] && drive[2];
   }
 
+  bool
+  RigidBodies::prescribes(const NodeIndex    node,
+                          const unsigned int component) const
+  {
+    return std::any_of(bodies.begin(), bodies.end(), [&](const Body &body) {
+      return drives[body.material][component] &&
+             std::binary_search(body.nodes.begin(), body.nodes.end(), node);
+    });
+  }
+
+  std::vector<std::string>
+  RigidBodies::doubts(const Discretization &,
+                      const double        time_step,
+                      const std::uint64_t n_steps) const
+  {
+    std::vector<TimeFunction> functions;
+    for (const Drive &drive : drives)
+      for (const auto &component : drive)
+        if (component)
+          functions.push_back(*component);
+    std::vector<std::string> result;
+    if (communicator.is_root())
+      add_doubts(functions, time_step, n_steps, result);
+    return result;
+  }
+
   std::vector<RigidBodies::DrivenVelocity>
-  RigidBodies::driven_velocities(const double time) const
+  RigidBodies::driven_velocities(const double time,
+                                 const double time_step) const
   {
     std::vector<DrivenVelocity> velocities;
     for (const Drive &drive : drives)
@@ -245,7 +272,7 @@ namespace rift
         DrivenVelocity velocity;
         for (unsigned int d = 0; d < dim; ++d)
           if (drive[d])
-            velocity[d] = (*drive[d])(time);
+            velocity[d] = drive[d]->mean_after(time, time_step);
         velocities.push_back(velocity);
       }
     return velocities;
@@ -270,8 +297,9 @@ namespace rift
   RigidBodies::start(State &state, const double time_step)
   {
     sum_forces(state);
-    const auto loads  = total_loads();
-    const auto driven = driven_velocities(state.time);
+    const auto loads = total_loads();
+    // At the start itself.
+    const auto driven = driven_velocities(state.time, 0);
     for (std::size_t i = 0; i < bodies.size(); ++i)
       {
         Body &body = bodies[i];
@@ -294,7 +322,7 @@ namespace rift
   {
     sum_forces(state);
     const auto loads  = total_loads();
-    const auto driven = driven_velocities(state.time + .5 * time_step);
+    const auto driven = driven_velocities(state.time, time_step);
     work_done.begin_step();
     std::string failure;
     for (std::size_t i = 0; i < bodies.size(); ++i)

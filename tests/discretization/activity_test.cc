@@ -61,7 +61,7 @@ namespace
     {
       EXPECT_FALSE(body.force.add_to(body.state, body.activity));
       if (load)
-        load->add_to(body.state, body.activity);
+        load->add_to(body.state, body.activity, dt);
       if (motion)
         motion->impose(body.state, body.activity, dt);
       advance(body.state, body.activity, dt);

@@ -6,7 +6,10 @@
 #include <rift/time_integration/central_difference.h>
 
 #include "../support/elastic_body.h"
+#include "../temporary_directory.h"
 #include <gtest/gtest.h>
+
+#include <sstream>
 
 using namespace rift;
 using namespace rift::test;
@@ -109,7 +112,7 @@ TEST(Pressure, OnAClosedSurfaceHasNoResultant)
       for (auto &u : body.state.displacement)
         for (unsigned int d = 0; d < 3; ++d)
           u[d] += .1 * random_matrix(random)[0][0];
-      load.add_to(body.state, body.activity);
+      load.add_to(body.state, body.activity, 1e-6);
       double largest = 0;
       for (const auto &f : body.state.force)
         largest = std::max(largest, norm(f.vector()));
@@ -129,7 +132,7 @@ TEST(Pressure, FollowsTheSurface)
       SurfaceLoad   load(body.topology, top, pressure("3e6"));
       const auto    h = random_deformation(random);
       impose_gradient(body.state, h);
-      load.add_to(body.state, body.activity);
+      load.add_to(body.state, body.activity, 1e-6);
       // The edges of the square are now F e_x and F e_y; pressure pushes in.
       const Vector3<double> a = {{2 + 2 * h[0][0], 2 * h[1][0], 2 * h[2][0]}};
       const Vector3<double> b = {{2 * h[0][1], 2 + 2 * h[1][1], 2 * h[2][1]}};
@@ -143,7 +146,7 @@ TEST(Pressure, FollowsTheSurface)
       std::fill(body.state.force.begin(),
                 body.state.force.end(),
                 NodalVector());
-      load.add_to(body.state, body.activity);
+      load.add_to(body.state, body.activity, 1e-6);
       for (NodeIndex i = 0; i < body.state.n_nodes(); ++i)
         EXPECT_LT(norm(body.state.force[i].vector() - r * before[i].vector()),
                   1e-6);
@@ -162,7 +165,7 @@ TEST(Traction, KeepsDirectionAndSize)
       std::fill(body.state.force.begin(),
                 body.state.force.end(),
                 NodalVector());
-      load.add_to(body.state, body.activity);
+      load.add_to(body.state, body.activity, 1e-6);
       // 1.5 m times 1 m, undeformed.
       const Vector3<double> f = resultant(body.state);
       EXPECT_NEAR(f[0], 1.5e6, 1e-7);
@@ -191,7 +194,7 @@ TEST(Traction, SlowLoadDoesHalfOfForceTimesDisplacement)
   while (body.state.time < end)
     {
       EXPECT_FALSE(body.force.add_to(body.state, body.activity));
-      load.add_to(body.state, body.activity);
+      load.add_to(body.state, body.activity, bar.dt);
       motion.impose(body.state, body.activity, bar.dt);
       load.count_work(body.state, bar.dt);
       advance(body.state, body.activity, bar.dt);
@@ -203,6 +206,112 @@ TEST(Traction, SlowLoadDoesHalfOfForceTimesDisplacement)
               expected,
               1e-3 * expected);
   EXPECT_EQ(motion.work().sum().value(), 0);
+}
+
+namespace
+{
+  /** A function of time that rises from 0 to `height` and falls back. */
+  struct Triangle
+  {
+    double begin, length, height;
+
+    /** Its table in a file. */
+    void
+    write(const std::string &path, const std::string &unit) const
+    {
+      std::ostringstream table;
+      table.precision(17);
+      table << "time [s],value [" << unit << "]\n"
+            << begin << ",0\n"
+            << begin + .5 * length << ',' << height << '\n'
+            << begin + length << ",0\n";
+      write_file(path, table.str());
+    }
+
+    /** Integral up to a time. */
+    double
+    integral(const double time) const
+    {
+      const double s = std::clamp((time - begin) / length, 0., 1.);
+      return height * length * (s < .5 ? s * s : .5 - (1 - s) * (1 - s));
+    }
+  };
+
+  /** At the start, between steps, across one, longer than some. */
+  std::vector<Triangle>
+  triangles(const double time_step, const double integral)
+  {
+    std::vector<Triangle> result;
+    for (const auto &[begin, length] :
+         std::vector<std::pair<double, double>>{{0, .02},
+                                                {.4, .3},
+                                                {3.3, .1},
+                                                {4.95, .1},
+                                                {.2, 4.5},
+                                                {7, 2}})
+      result.push_back({begin * time_step,
+                        length * time_step,
+                        2 * integral / (length * time_step)});
+    return result;
+  }
+} // namespace
+
+TEST(Pressure, AllOfATableActs)
+{
+  TemporaryDirectory directory;
+  Bar                bar;
+  for (const Triangle &triangle : triangles(bar.dt, 10))
+    {
+      Bar          free_bar;
+      ElasticBody &body = free_bar.body;
+      triangle.write(directory / "t.csv", "Pa");
+      SurfaceLoad load(body.topology,
+                       free_bar.end(0),
+                       pressure(directory / "t.csv"));
+      for (unsigned int n = 0; n < 12; ++n)
+        {
+          EXPECT_FALSE(body.force.add_to(body.state, body.activity));
+          load.add_to(body.state, body.activity, bar.dt);
+          if (n == 0)
+            start_velocities(body.state, bar.dt);
+          advance(body.state, body.activity, bar.dt);
+        }
+      double momentum = 0;
+      for (NodeIndex i = 0; i < body.state.n_nodes(); ++i)
+        momentum += body.state.mass[i] * body.state.velocity[i][2];
+      // 10 Pa s on 1 m^2, which hardly changes.
+      EXPECT_NEAR(momentum, 10, 1e-5) << triangle.begin;
+    }
+}
+
+TEST(PrescribedMotion, GoesAsFarAsItsTable)
+{
+  TemporaryDirectory directory;
+  Bar                bar;
+  for (const Triangle &triangle : triangles(bar.dt, 1e-6))
+    {
+      Bar          moved_bar;
+      ElasticBody &body  = moved_bar.body;
+      State       &state = body.state;
+      triangle.write(directory / "t.csv", "m/s");
+      PrescribedMotion motion(
+        body.topology,
+        {{bar.end(0), velocity({{"", "", directory / "t.csv"}})}});
+      const NodeIndex node = surface_nodes(body.topology, bar.end(0))[0];
+      for (unsigned int n = 0; n < 12; ++n)
+        {
+          EXPECT_FALSE(body.force.add_to(state, body.activity));
+          const double velocity =
+            state.velocity[node][2] +
+            bar.dt * *motion.prescribed_acceleration(state, bar.dt, node, 2);
+          motion.impose(state, body.activity, bar.dt);
+          advance(state, body.activity, bar.dt);
+          EXPECT_NEAR(state.velocity[node][2], velocity, 1e-12);
+          EXPECT_NEAR(state.displacement[node][2],
+                      triangle.integral(state.time),
+                      1e-18);
+        }
+    }
 }
 
 TEST(PrescribedMotion, ImposesTheVelocityOfHalfAStepLater)
@@ -321,7 +430,7 @@ TEST(PrescribedMotion, MovesNodesThatACrackHasMade)
   motion.update_nodes();
   load.update_nodes();
 
-  load.add_to(body.state, body.activity);
+  load.add_to(body.state, body.activity, bar.dt);
   EXPECT_NEAR(resultant(body.state)[2], 1e6, 1e-8);
   motion.impose(body.state, body.activity, bar.dt);
   advance(body.state, body.activity, bar.dt);

@@ -1,6 +1,6 @@
 // Packets of plane waves that meet an absorbing boundary at a slant.
 
-#include <rift/loading/absorbing_boundary.h>
+#include <rift/loading/absorbing_boundaries.h>
 #include <rift/material/wave_speeds.h>
 #include <rift/time_integration/central_difference.h>
 
@@ -195,11 +195,10 @@ namespace
       ElasticBody body(make_periodic_box({n_long, n, 3}, h, material.density),
                        material);
       const auto  stiffness = stiffness_matrix(make_elasticity(material));
-      AbsorbingBoundary boundary(
-        "end",
+      AbsorbingBoundaries boundary(
         body.topology,
         body.discrete.reference,
-        plane_surface(body.discrete, 0, length),
+        {{"end", plane_surface(body.discrete, 0, length)}},
         [&](const std::uint16_t, const Vector3<double> &normal) {
           return impedance(stiffness, material.density, normal);
         });
@@ -213,7 +212,8 @@ namespace
       for (;;)
         {
           EXPECT_FALSE(body.force.add_to(state, body.activity));
-          boundary.add_to(state, dt);
+          boundary.add_to_parted(state, dt, {}, {});
+          boundary.add_to_others(state, dt, {});
           if (state.step == 0)
             {
               start_velocities(state, dt);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 using namespace rift;
 
@@ -166,6 +167,153 @@ TEST(TimeTable, OneRowIsAConstant)
   const TimeTable table(file.path, where);
   EXPECT_EQ(table(0), 3);
   EXPECT_EQ(table(2), 3);
+}
+
+TEST(TimeTable, MeanIsTheValueAtTheCentreWhereNoRowLiesInside)
+{
+  const TableFile file("t [s],p [Pa]\n0,.1\n1,.7\n3,-.2\n");
+  const TimeTable table(file.path, where);
+  for (const auto &[centre, width] :
+       std::vector<std::pair<double, double>>{{-1, 2},
+                                              {.3, .6},
+                                              {.7, .1},
+                                              {1.95, 1.8},
+                                              {2, 2},
+                                              {2.9, .1},
+                                              {5, 4}})
+    EXPECT_EQ(table.mean(centre, width), table(centre)) << centre;
+  EXPECT_EQ(table.mean(1, 0), .7);
+}
+
+TEST(TimeTable, MeanIsTheIntegralOverTheWidth)
+{
+  const TableFile file("t [s],p [Pa]\n0,0\n1,6\n3,-2\n3.5,1\n");
+  const TimeTable table(file.path, where);
+  // 3 under the first line, 4 under the second, -.25 under the third.
+  EXPECT_DOUBLE_EQ(table.mean(1.75, 3.5), 6.75 / 3.5);
+  EXPECT_DOUBLE_EQ(table.mean(1.75, 3.7), (6.75 + .1) / 3.7);
+  EXPECT_DOUBLE_EQ(table.mean(1, .5), (5.25 / 4 + 5.5 / 4) / .5);
+  EXPECT_DOUBLE_EQ(table.mean(-1, 4), .5 * 6 / 4 * 1);
+  EXPECT_DOUBLE_EQ(table.mean(5, 4), (1 * 3.5 + .5 * .5 * (-2 + 1)) / 4);
+
+  // Of any division of time, the sum.
+  std::mt19937                           random(1);
+  std::uniform_real_distribution<double> width(.001, 1);
+  double                                 time = -1, integral = 0;
+  while (time < 5)
+    {
+      const double step = width(random);
+      integral += step * table.mean(time + .5 * step, step);
+      time += step;
+    }
+  EXPECT_NEAR(integral, 6.75 + (time - 3.5), 1e-13);
+}
+
+TEST(TimeFunction, TablesActWithTheirMeanAndExpressionsAtOneTime)
+{
+  const TableFile    file("t [s],p [Pa]\n0,0\n1e-8,1e9\n2e-8,0\n");
+  const TimeFunction table(file.path, where, "Pa");
+  // The force at the start acts for half a step.
+  EXPECT_DOUBLE_EQ(.5 * 5.4e-7 * table.mean_around(0, 5.4e-7), 10);
+  EXPECT_EQ(table.mean_around(5.4e-7, 5.4e-7), 0);
+  EXPECT_DOUBLE_EQ(3e-8 * table.mean_around(1e-8, 3e-8), 10);
+  EXPECT_DOUBLE_EQ(5.4e-7 * table.mean_after(0, 5.4e-7), 10);
+  EXPECT_EQ(table.mean_after(2e-8, 1e-8), 0);
+  EXPECT_EQ(table.mean_after(3e-9, 0), table(3e-9));
+
+  const TimeFunction expression("1e3 + 2*t", where);
+  EXPECT_EQ(expression.mean_around(0, 4), 1e3);
+  EXPECT_EQ(expression.mean_around(3, 4), 1006);
+  EXPECT_EQ(expression.mean_after(3, 4), 1010);
+  EXPECT_EQ(expression.mean_after(3, 0), 1006);
+}
+
+namespace
+{
+  std::string
+  half_sine(const double length)
+  {
+    const std::string l = std::to_string(length);
+    return "t < " + l + " ? 3*sin(pi*t/" + l + ") : 0";
+  }
+} // namespace
+
+TEST(UnresolvedShare, OfPulsesOfSomeSteps)
+{
+  // Before a long rest, for which the mean is next to nothing. Lines between
+  // n + 1 points of a half sine leave 1 - pi/(2n) cot(pi/(2n)) of its area.
+  for (const unsigned int n : {2, 3, 4, 10, 40})
+    {
+      const double angle = M_PI / (2 * n);
+      EXPECT_NEAR(TimeFunction(half_sine(n), where).unresolved_share(1, 1000),
+                  1 - angle / std::tan(angle),
+                  4e-3)
+        << n;
+    }
+}
+
+TEST(UnresolvedShare, OfTablesIsThatOfTheExpression)
+{
+  const TableFile    file("t [s],p [Pa]\n.1,0\n3.5,3\n3.7,-1\n7,-1\n");
+  const TimeFunction table(file.path, where);
+  const TimeFunction expression("t < .1 ? 0 : t < 3.5 ? 3*(t-.1)/3.4 : "
+                                "t < 3.7 ? 3-20*(t-3.5) : -1",
+                                where);
+  EXPECT_GT(table.unresolved_share(1, 8), .1);
+  EXPECT_LT(table.unresolved_share(.01, 800), .01);
+  for (const unsigned int n : {8, 20, 100})
+    EXPECT_NEAR(table.unresolved_share(8. / n, n),
+                expression.unresolved_share(8. / n, n),
+                2e-3);
+}
+
+TEST(UnresolvedShare, OfWhatNoStepSees)
+{
+  // An oscillation of one period in each step, in many steps; a spike upon a
+  // load that stays.
+  EXPECT_GT(TimeFunction("sin(2*pi*t)", where).unresolved_share(1, 100), .9);
+  EXPECT_GT(TimeFunction("sin(2*pi*t)", where).unresolved_share(1, 1e9), .9);
+  const TableFile spike("t [s],p [Pa]\n0,1e6\n3.3,1e6\n3.4,1e8\n3.5,1e6\n");
+  EXPECT_GT(TimeFunction(spike.path, where).unresolved_share(1, 1e6), .9);
+}
+
+TEST(UnresolvedShare, OfConstantsAndLinesIsNothing)
+{
+  EXPECT_EQ(TimeFunction("0", where).unresolved_share(1, 100), 0);
+  EXPECT_EQ(
+    TimeFunction("1e6*(sin(t)^2+cos(t)^2)", where).unresolved_share(1, 100),
+    0);
+  EXPECT_LT(TimeFunction("3-7*t", where).unresolved_share(1, 100), 1e-14);
+  const TableFile file("t [s],p [Pa]\n0,4\n5,4\n6,4\n");
+  EXPECT_EQ(TimeFunction(file.path, where).unresolved_share(1, 100), 0);
+}
+
+TEST(UnresolvedShare, Doubt)
+{
+  const std::string pulse = half_sine(2);
+  EXPECT_EQ(TimeFunction(pulse, where).doubt(.1, 1000), "");
+  const std::string found = TimeFunction(pulse, where).doubt(1, 1000);
+  EXPECT_EQ(found.substr(0, 120),
+            (where + ": \"" + pulse +
+             "\" changes too fast for the time step "
+             "of 1 s: straight lines between its values at the steps miss ")
+              .substr(0, 120));
+  EXPECT_NE(found.find(" % of its variation. It acts with its values at the "
+                       "steps, so that its integral may be wrong. Set a "
+                       "smaller \"Time step\", or give a table, which acts "
+                       "with its mean over each step."),
+            std::string::npos);
+
+  const TableFile file("t [s],p [Pa]\n0,0\n.25,1\n.5,0\n");
+  EXPECT_EQ(TimeFunction(file.path, where).doubt(1, 1000),
+            where + ": \"" + file.path +
+              "\" changes too fast for the time step of 1 s: straight lines "
+              "between its values at the steps miss 100.1 % of its variation. "
+              "It acts with its mean over each step, so that its integral is "
+              "right; set a smaller \"Time step\" if its course matters.");
+  // What is not finite is said when it is met.
+  EXPECT_EQ(TimeFunction("1/(t-0.5)", where).doubt(.1, 10), "");
+  EXPECT_EQ(TimeFunction("sqrt(-1-t)", where).doubt(.1, 10), "");
 }
 
 TEST(TimeTable, MissingFile)

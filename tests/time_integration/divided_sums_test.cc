@@ -80,7 +80,7 @@ namespace
       const double time = body.state.time;
       body.state        = state;
       body.state.time   = time;
-      load.add_to(body.state, activity);
+      load.add_to(body.state, activity, time_step);
       damping.add_to(body.state, activity);
       motion.impose(body.state, activity, time_step);
       load.count_work(body.state, time_step);

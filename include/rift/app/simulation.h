@@ -102,6 +102,10 @@ namespace rift
     void
     choose_time_step(const Restart *restart);
 
+    /** Refuses loads that cannot have any effect, and warns of others. */
+    void
+    check_loads() const;
+
     /** Makes the modules ready and moves the body to where it starts. */
     void
     prepare(const Restart *restart);

@@ -2,6 +2,7 @@
 #define rift_cohesive_partings_h
 
 #include <rift/discretization/ghost_exchange.h>
+#include <rift/discretization/prescribed_acceleration.h>
 #include <rift/discretization/reference_cell_data.h>
 #include <rift/discretization/state.h>
 #include <rift/mesh/node_splitter.h>
@@ -12,11 +13,6 @@
 
 namespace rift
 {
-  /** Acceleration of a component of a node, m/s^2, if it is prescribed; empty
-   * where none is. */
-  using PrescribedAcceleration =
-    std::function<std::optional<double>(NodeIndex, unsigned int)>;
-
   /** A corner of a face that has been cut, and its node on both sides. */
   struct CutCorner
   {

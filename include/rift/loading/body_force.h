@@ -1,9 +1,12 @@
 #ifndef rift_loading_body_force_h
 #define rift_loading_body_force_h
 
+#include <rift/base/number_text.h>
+#include <rift/loading/effect_check.h>
 #include <rift/module/module.h>
 
 #include <cmath>
+#include <numeric>
 
 namespace rift
 {
@@ -28,6 +31,20 @@ namespace rift
     prepare(Discretization &body, const StepBound &) override
     {
       body.activity.wake_all(body.topology);
+    }
+
+    void
+    check_effect(const Discretization &body,
+                 const IsPrescribed   &is_prescribed) const override
+    {
+      std::vector<NodeIndex> nodes(body.state.n_nodes());
+      std::iota(nodes.begin(), nodes.end(), NodeIndex{0});
+      EffectCheck(body, is_prescribed)
+        .refuse_idle("Body force / Gravity",
+                     to_text(gravity[0]) + ", " + to_text(gravity[1]) + ", " +
+                       to_text(gravity[2]),
+                     nodes,
+                     [this](std::size_t) { return gravity; });
     }
 
     void

@@ -47,8 +47,8 @@ namespace rift
 
     /**
      * Throws ParameterError for a boundary without any condition, a component
-     * with both traction and velocity, a velocity on an absorbing boundary, and
-     * a table that does not exist.
+     * with both traction and velocity, a pressure with all three velocities, a
+     * velocity on an absorbing boundary, and a table that does not exist.
      */
     void
     check() const;

@@ -89,6 +89,14 @@ namespace rift
     void
     update_nodes();
 
+    /** Whether a component of the velocity of a node is prescribed. */
+    bool
+    prescribes(const NodeIndex    node,
+               const unsigned int component) const override
+    {
+      return function_of[node][component] != no_function;
+    }
+
     /**
      * Acceleration of a component of a node during the step from t_n, m/s^2,
      * where its velocity is prescribed.
@@ -99,7 +107,20 @@ namespace rift
                             NodeIndex    node,
                             unsigned int component) const override;
 
+    /** Of velocities that the steps do not resolve, and of those that count at
+     * no node since boundaries that come first say otherwise. Collective. */
+    std::vector<std::string>
+    doubts(const Discretization &body,
+           double                time_step,
+           std::uint64_t         n_steps) const override;
+
+    /** Of velocities that count at no node. Collective. */
+    std::vector<std::string>
+    doubts_of_order(const Communicator &communicator) const;
+
   private:
+    static constexpr std::uint16_t no_function = 0xffff;
+
     struct Condition
     {
       NodeIndex     node;
@@ -113,9 +134,12 @@ namespace rift
     /** A function of time for each prescribed component of each boundary. */
     std::vector<TimeFunction> functions;
 
-    std::vector<Condition>    conditions;
-    std::vector<std::uint8_t> prescribed_components;
-    Work                      work_done;
+    /** By boundary, function and node. */
+    std::vector<Condition> conditions;
+
+    /** The function of each component of each node, or no_function. */
+    std::vector<std::array<std::uint16_t, dim>> function_of;
+    Work                                        work_done;
   };
 } // namespace rift
 

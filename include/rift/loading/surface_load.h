@@ -36,9 +36,18 @@ namespace rift
     }
 
     void
+    check_effect(const Discretization &body,
+                 const IsPrescribed   &is_prescribed) const override;
+
+    std::vector<std::string>
+    doubts(const Discretization &body,
+           double                time_step,
+           std::uint64_t         n_steps) const override;
+
+    void
     add_forces(StepContext &step) override
     {
-      add_to(step.body.state, step.body.activity);
+      add_to(step.body.state, step.body.activity, step.time_step);
     }
 
     void
@@ -71,9 +80,9 @@ namespace rift
       work_done.load(archive_name, archive);
     }
 
-    /** Adds the forces at `state.time`. */
+    /** Adds the forces at `state.time`: see TimeFunction::mean_around(). */
     void
-    add_to(State &state, Activity &activity);
+    add_to(State &state, Activity &activity, double time_step);
 
     /**
      * Adds up the work of the step: to be called between the last force and

@@ -1,8 +1,13 @@
 #ifndef rift_loading_time_function_h
 #define rift_loading_time_function_h
 
+#include <rift/loading/time_table.h>
+
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace rift
 {
@@ -42,11 +47,70 @@ namespace rift
     double
     operator()(double t) const;
 
+    /**
+     * What acts as a force at t_n, s: an expression with its value there, a
+     * table with its mean over the time in which the force of the step acts,
+     * from half a step before t_n to half a step after, and at the start over
+     * the half step after t_0. So all rows of a table count, however close they
+     * are.
+     *
+     * @throws RunError as operator().
+     */
+    double
+    mean_around(double t, double time_step) const;
+
+    /**
+     * What is the velocity from t_n, s, to the end of the step: an expression
+     * with its value in the middle, a table with its mean.
+     *
+     * @throws RunError as operator().
+     */
+    double
+    mean_after(double t, double time_step) const;
+
+    /**
+     * How much of the function a run of `n_steps` steps does not see: the area
+     * between it and straight lines between its values at the steps, over the
+     * area between it and its mean, on one side of the mean. A pulse that falls
+     * between two steps has 1, a half sine .2 in two steps and .05 in four. Not
+     * a number if the function is not one somewhere. Of an expression, an
+     * estimate from about 1e5 values.
+     */
+    double
+    unresolved_share(double time_step, std::uint64_t n_steps) const;
+
+    /** A sentence for the log if the steps do not see a tenth of the function
+     * (see unresolved_share()), else empty. */
+    std::string
+    doubt(double time_step, std::uint64_t n_steps) const;
+
+    /** "Boundary loaded / Pressure" */
+    const std::string &
+    name() const
+    {
+      return where;
+    }
+
+    /** As the user has written it. */
+    const std::string &
+    expression() const
+    {
+      return text;
+    }
+
   private:
-    std::string                   text;
-    std::string                   where;
-    std::function<double(double)> function;
+    std::string                      text;
+    std::string                      where;
+    std::function<double(double)>    function;
+    std::shared_ptr<const TimeTable> table;
   };
+
+  /** Adds what TimeFunction::doubt() says of some functions. */
+  void
+  add_doubts(const std::vector<TimeFunction> &functions,
+             double                           time_step,
+             std::uint64_t                    n_steps,
+             std::vector<std::string>        &doubts);
 } // namespace rift
 
 #endif

@@ -47,6 +47,22 @@ namespace rift
     double
     operator()(double t) const;
 
+    /**
+     * The mean from `centre - width/2` to `centre + width/2`, s: the exact
+     * integral over the width. Where no row lies inside of this interval, the
+     * table is linear there, and this is the value at the centre to the last
+     * bit.
+     */
+    double
+    mean(double centre, double width) const;
+
+    /** The times of all rows, s, ascending. */
+    const std::vector<double> &
+    row_times() const
+    {
+      return times;
+    }
+
   private:
     std::vector<double> times;
     std::vector<double> values;

@@ -4,6 +4,7 @@
 #include <rift/base/stage_timer.h>
 #include <rift/discretization/discretization.h>
 #include <rift/discretization/field_list.h>
+#include <rift/discretization/prescribed_acceleration.h>
 #include <rift/module/energy_table.h>
 #include <rift/module/failures.h>
 #include <rift/module/step_limits.h>
@@ -25,13 +26,16 @@ namespace rift
 
     /** Acceleration of a component of a node, m/s^2, where a module prescribes
      * it; empty where none does. */
-    std::function<std::optional<double>(NodeIndex, unsigned int)>
-      prescribed_acceleration;
+    PrescribedAcceleration prescribed_acceleration;
 
     /** Corners of faces that open in this step; after the drift those that
      * other ranks have told of, too. */
     std::vector<OpeningCorner> openings;
   };
+
+  /** Whether a component of the velocity of a node is prescribed. */
+  using IsPrescribed =
+    std::function<bool(NodeIndex node, unsigned int component)>;
 
   /** Number of things that a module computes at each cell in a step, such as
    * cohesive faces, for the division among the ranks. */
@@ -79,6 +83,29 @@ namespace rift
      * Collective. */
     virtual std::string
     description() const
+    {
+      return {};
+    }
+
+    /**
+     * Refuses what the scene says of it if that cannot have any effect, since
+     * all velocities along its forces are prescribed. Collective.
+     *
+     * @param body undeformed.
+     * @throws InputError on all ranks, with the subsection, the entry and its
+     *   value.
+     */
+    virtual void
+    check_effect(const Discretization &, const IsPrescribed &) const
+    {
+    }
+
+    /** Sentences for the log, on rank 0, about entries of the scene that may
+     * not do what they seem to, in this number of steps. Collective. */
+    virtual std::vector<std::string>
+    doubts(const Discretization &,
+           double /*time_step*/,
+           std::uint64_t /*n_steps*/) const
     {
       return {};
     }
@@ -155,6 +182,13 @@ namespace rift
     virtual void
     start_openings(StepContext &)
     {
+    }
+
+    /** Whether it prescribes a component of the velocity of a node. */
+    virtual bool
+    prescribes(NodeIndex, unsigned int /*component*/) const
+    {
+      return false;
     }
 
     /** Acceleration during this step of a component of a node, m/s^2, if it is

@@ -49,6 +49,11 @@ namespace rift
       return "Rigid bodies: " + std::to_string(n_bodies());
     }
 
+    std::vector<std::string>
+    doubts(const Discretization &body,
+           double                time_step,
+           std::uint64_t         n_steps) const override;
+
     void
     start_velocities(StepContext &step) override
     {
@@ -122,6 +127,9 @@ namespace rift
     bool
     is_driven(std::uint16_t material) const;
 
+    bool
+    prescribes(NodeIndex node, unsigned int component) const override;
+
     /** Force on all bodies of a material as of the last move(), N: of contact,
      * loads and gravity. The part of this rank. */
     std::array<ExactSum, dim>
@@ -172,12 +180,12 @@ namespace rift
     std::vector<Load>
     total_loads() const;
 
-    /** What is prescribed at a time, m/s. */
+    /** What is prescribed, m/s. */
     using DrivenVelocity = std::array<std::optional<double>, dim>;
 
-    /** By material. */
+    /** By material, for a step from a time: see TimeFunction::mean_after(). */
     std::vector<DrivenVelocity>
-    driven_velocities(double time) const;
+    driven_velocities(double time, double time_step) const;
 
     /** The motion with the velocities after a kick. */
     RigidMotion

@@ -24,7 +24,9 @@ namespace rift
       now         = energies;
       input       = std::max({input,
                               std::abs(initial + energies["loads"]),
-                              energies["kinetic"] + energies["strain"]});
+                              energies["kinetic"] + energies["strain"],
+                              rounding * std::abs(initial),
+                              rounding * std::abs(energies["loads"])});
       largest_residual =
         std::max(largest_residual, std::abs(relative_residual()));
     }
@@ -76,6 +78,15 @@ namespace rift
     }
 
   private:
+    /**
+     * The residual is a difference to `initial` and to the work of the loads.
+     * Where these cancel each other, as those of a load and of what holds the
+     * body do, it is no less than their rounding, which is 1e-16 of them. By
+     * this share of them the energy in play is so large that rounding is some
+     * 1e-6 of it.
+     */
+    static constexpr double rounding = 1e-10;
+
     /** `initial`, `input` and `largest_residual`, J, J and 1. */
     using Record = std::array<double, 3>;
 
