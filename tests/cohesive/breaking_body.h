@@ -77,6 +77,13 @@ namespace rift::test
     return parameters;
   }
 
+  inline CohesiveParameters
+  extrinsic(CohesiveParameters parameters)
+  {
+    parameters.model = CohesiveModel::extrinsic;
+    return parameters;
+  }
+
   /**
    * Clears what compressed faces have still to draw from the body, for tests
    * that hold nodes in place: there, repaying it would lower the pressure.
@@ -134,7 +141,7 @@ namespace rift::test
       , force(topology,
               discrete.reference,
               strengths,
-              parameters_of(CohesiveModel::extrinsic, parameters.least_share),
+              extrinsic(parameters),
               slopes_that_the_step_allows(topology,
                                           discrete.reference,
                                           stiffnesses_of(materials),

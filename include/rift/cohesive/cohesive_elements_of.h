@@ -193,7 +193,7 @@ namespace rift
     const Topology      &topology;
     const FaceStrengths &strengths;
     const FaceSlope      slope;
-    const Law            law;
+    const Law            law{};
     const FaceQuadrature quadrature;
 
     /** Number of faces that have been taken in. */

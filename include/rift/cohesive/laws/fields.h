@@ -74,8 +74,9 @@ namespace rift
         f(a[d], b[d]);
     }
 
+    // Out of line, a law's update() would spill its registers here.
     template <typename A, typename B, typename Function, std::size_t... i>
-    void
+    [[gnu::always_inline]] inline void
     for_each_number(A &a, B &b, const Function &f, std::index_sequence<i...>)
     {
       const auto of_a = std::remove_const_t<A>::fields();
@@ -90,7 +91,7 @@ namespace rift
   /** Calls f(number of a, number of b) for all numbers of two structures of the
    * same template, of which the second may be constant. */
   template <typename A, typename B, typename Function>
-  void
+  [[gnu::always_inline]] inline void
   for_each_number(A &a, B &b, const Function &f)
   {
     constexpr std::size_t n_fields =
@@ -146,7 +147,7 @@ namespace rift
 
   /** Takes a structure back to what it was, in the lanes that are not set. */
   template <typename Mask, typename Structure>
-  void
+  [[gnu::always_inline]] inline void
   keep_unless(const Mask &mask, const Structure &old, Structure &now)
   {
     for_each_number(now, old, [&mask](auto &value, const auto &old_value) {
