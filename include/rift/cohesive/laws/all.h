@@ -1,6 +1,7 @@
 #ifndef rift_cohesive_laws_all_h
 #define rift_cohesive_laws_all_h
 
+#include <rift/cohesive/laws/linear_softening.h>
 #include <rift/cohesive/laws/mohr_coulomb.h>
 
 namespace rift
@@ -15,8 +16,9 @@ namespace rift
    * one name and differ in the model that they serve. doc/adding-a-law.md says
    * what a law consists of.
    */
-  using CohesiveLaws =
-    LawList<MohrCoulomb<StraightBranch>, MohrCoulomb<ParabolicBranch>>;
+  using CohesiveLaws = LawList<MohrCoulomb<StraightBranch>,
+                               MohrCoulomb<ParabolicBranch>,
+                               LinearSoftening>;
 } // namespace rift
 
 #endif
