@@ -188,7 +188,7 @@ namespace rift
         if (old != old_pairs.end() && name_of(*old) == name)
           pair = *old;
         else
-          pair.memory.free_potential =
+          pair.memory.initial_potential =
             overlap(a.motion.positions, b.motion.positions).potential;
         pair.a         = member(found.first);
         pair.b         = member(found.second);
@@ -260,13 +260,13 @@ namespace rift
     for (Pair &pair : pairs)
       {
         const Member       &a = members[pair.a], &b = members[pair.b];
-        const ContactForces forces = touch(a.cell.motion,
-                                           b.cell.motion,
-                                           pair.constants,
-                                           time_step,
-                                           pair.memory);
+        const ContactForces forces = pair_forces(a.cell.motion,
+                                                 b.cell.motion,
+                                                 pair.constants,
+                                                 time_step,
+                                                 pair.memory);
         pair.touches               = forces.energy > 0;
-        if (forces.is_deep && !deep)
+        if (forces.is_too_deep && !deep)
           deep = DeepOverlap{a.cell.cell, b.cell.cell};
         if (a.cell.owner == communicator.rank())
           {

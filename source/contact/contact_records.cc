@@ -14,7 +14,7 @@ namespace rift
     struct PairRecord
     {
       GlobalCellIndex a, b;
-      double          free_potential, slip[dim], stiffness, damper;
+      double          initial_potential, slip[dim], stiffness, damping_force;
     };
 
     /** A cell that took part in the last search, and where it was then. */
@@ -99,10 +99,10 @@ namespace rift
           continue;
         PairRecord record{a.cell,
                           members[pair.b].cell.cell,
-                          pair.memory.free_potential,
+                          pair.memory.initial_potential,
                           {},
                           pair.memory.stiffness,
-                          pair.memory.damper};
+                          pair.memory.damping_force};
         std::copy(pair.memory.slip.begin(),
                   pair.memory.slip.end(),
                   record.slip);
@@ -178,9 +178,9 @@ namespace rift
         });
         if (record == sorted.end())
           throw std::logic_error("a restored pair has no record");
-        pair.memory.free_potential = record->free_potential;
-        pair.memory.stiffness      = record->stiffness;
-        pair.memory.damper         = record->damper;
+        pair.memory.initial_potential = record->initial_potential;
+        pair.memory.stiffness         = record->stiffness;
+        pair.memory.damping_force     = record->damping_force;
         std::copy(std::begin(record->slip),
                   std::end(record->slip),
                   pair.memory.slip.begin());

@@ -99,8 +99,8 @@ namespace
           {
             const ContactCell &a = all[i], &b = all[j];
             if ((is_seen(a) || is_seen(b)) && !are_bonded(a, b) &&
-                touch(box_around(a.motion.positions, skin / 2),
-                      box_around(b.motion.positions, skin / 2)) &&
+                boxes_overlap(box_around(a.motion.positions, skin / 2),
+                              box_around(b.motion.positions, skin / 2)) &&
                 FacePlanes(a.motion.positions)
                     .distance_to(b.motion.positions) <= skin &&
                 FacePlanes(b.motion.positions)
