@@ -52,7 +52,7 @@ namespace rift
     , surface(topology)
     , skin(skin_of(surface, topology, state, communicator))
     , rendezvous(communicator, [this](const ContactCell &cell) {
-      return surface.viewers(this->topology.find_cell(cell.cell));
+      return surface.subscribers(this->topology.find_cell(cell.cell));
     })
   {
   }
