@@ -68,7 +68,7 @@ namespace rift
   ContactForce::refuse_overlaps(
     const std::vector<MaterialParameters> &materials) const
   {
-    communicator.together([&] {
+    communicator.collectively([&] {
       for (const Pair &pair : pairs)
         {
           const ContactCell &a = members[pair.a].cell,
@@ -168,7 +168,7 @@ namespace rift
     std::vector<Rendezvous::NamedPair> names;
     for (const PairRecord &record : sorted)
       names.emplace_back(record.a, record.b);
-    take(rendezvous.join(own_cells(state, searched_cells), names));
+    adopt_pairs(rendezvous.join(own_cells(state, searched_cells), names));
     auto record = sorted.begin();
     for (Pair &pair : pairs)
       {

@@ -119,7 +119,7 @@ namespace rift
       largest_number_at_first = largest_number;
 
     std::vector<BoxPair> pairs;
-    communicator.together([&] {
+    communicator.collectively([&] {
       pairs =
         find_candidates(received.cells, skin, division, communicator.rank());
     });
