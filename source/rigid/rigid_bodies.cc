@@ -247,9 +247,9 @@ namespace rift
   }
 
   std::vector<std::string>
-  RigidBodies::doubts(const Discretization &,
-                      const double        time_step,
-                      const std::uint64_t n_steps) const
+  RigidBodies::warnings(const Discretization &,
+                        const double        time_step,
+                        const std::uint64_t n_steps) const
   {
     std::vector<TimeFunction> functions;
     for (const Drive &drive : drives)

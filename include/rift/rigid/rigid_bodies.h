@@ -50,9 +50,9 @@ namespace rift
     }
 
     std::vector<std::string>
-    doubts(const Discretization &body,
-           double                time_step,
-           std::uint64_t         n_steps) const override;
+    warnings(const Discretization &body,
+             double                time_step,
+             std::uint64_t         n_steps) const override;
 
     void
     start_velocities(StepContext &step) override
