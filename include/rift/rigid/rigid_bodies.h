@@ -170,7 +170,7 @@ namespace rift
 
     /** Collective. */
     void
-    weigh(const State &state);
+    compute_mass_properties(const State &state);
 
     /** Makes the sums of all bodies. */
     void
