@@ -51,8 +51,8 @@ namespace rift
 
     /** Whether so deep that the potential will soon fall again: the mean of
      * least coordinates over the overlap is above `largest_mean_potential`, or
-     * more than `largest_volume_fraction` of a cell is inside of the other. Not of pairs
-     * that were born with an overlap. */
+     * more than `largest_volume_fraction` of a cell is inside of the other. Not
+     * of pairs that were born with an overlap. */
     bool is_too_deep = false;
 
     /** Forces on the corners of both cells, N. */

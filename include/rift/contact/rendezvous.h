@@ -86,8 +86,8 @@ namespace rift
 
     SpaceDivision division;
 
-    /** The largest number of received cells in the first search with this division,
-     * and in the last one. */
+    /** The largest number of received cells in the first search with this
+     * division, and in the last one. */
     double largest_number_at_first = 0, largest_number = 0;
   };
 } // namespace rift

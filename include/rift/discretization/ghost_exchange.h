@@ -41,8 +41,8 @@ namespace rift
      * Finds who tells whom, and gives the corners of ghost cells the nodes
      * that they have there. Collective.
      *
-     * @param topology as separate_touching_pieces() or separate_materials() leaves
-     *   it.
+     * @param topology as separate_touching_pieces() or separate_materials()
+     *   leaves it.
      */
     GhostExchange(const Communicator &communicator, Topology &topology);
 
