@@ -44,11 +44,12 @@ namespace rift
       RigidPieces pieces;
       body.communicator.on_root(
         [&] { pieces = find_rigid_pieces(mesh, body.materials); });
-      return std::make_unique<RigidBodies>(body.discretization.topology,
-                                           body.discretization.state,
-                                           share(pieces, body.communicator),
-                                           body.materials,
-                                           body.communicator);
+      return std::make_unique<RigidBodies>(
+        body.discretization.topology,
+        body.discretization.state,
+        broadcast_pieces(pieces, body.communicator),
+        body.materials,
+        body.communicator);
     }
 
     RigidCells

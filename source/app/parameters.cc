@@ -295,13 +295,13 @@ namespace rift
   }
 
   std::vector<std::string>
-  doubts(const Parameters &parameters)
+  warnings(const Parameters &parameters)
   {
     std::vector<std::string> result;
     for (const MaterialParameters &material : parameters.materials)
       {
-        for (const std::string &doubt : material.doubts())
-          result.push_back(doubt);
+        for (const std::string &warning : material.warnings())
+          result.push_back(warning);
         if (parameters.cohesive.model == CohesiveParameters::Model::none &&
             material.breakable && material.tensile_strength.largest() > 0)
           result.push_back("Material " + material.name +

@@ -50,7 +50,7 @@ namespace rift
     Restart restart;
     restart.manifest  = set.manifest;
     restart.mesh_file = set.manifest.mesh;
-    communicator.together([&] {
+    communicator.collectively([&] {
       for (std::size_t rank = 0; rank < set.manifest.ranks.size(); ++rank)
         {
           const CheckpointFileReader file = set.read_rank(rank);

@@ -210,8 +210,8 @@ namespace rift
   {
     prepare_output_directory(directory, parameters.output.overwrite);
     log.open(path("log.txt"));
-    for (const std::string &doubt : doubts(parameters))
-      log.write("WARNING: " + doubt);
+    for (const std::string &warning : warnings(parameters))
+      log.write("WARNING: " + warning);
     // The first line tells a later run that the file may be replaced.
     write_file_atomically(path("parameters.prm"),
                           std::string(parameters_marker) + "\n" +

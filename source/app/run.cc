@@ -14,8 +14,8 @@ namespace rift
     print_summary(out, parameters);
     const Communicator communicator(MPI_COMM_WORLD);
     Log                log(communicator.is_root() ? &out : nullptr);
-    for (const std::string &doubt : doubts(parameters))
-      log.write("WARNING: " + doubt);
+    for (const std::string &warning : warnings(parameters))
+      log.write("WARNING: " + warning);
     Simulation(parameters, log, communicator);
   }
 
@@ -28,9 +28,9 @@ namespace rift
     Log        log(communicator.is_root() ? &std::cout : nullptr, interactive);
     if (!parameters.title.empty())
       log.write(parameters.title);
-    if (const std::string doubt = doubt_about_ranks(communicator.size());
-        !doubt.empty())
-      log.write("WARNING: " + doubt);
+    if (const std::string warning = warning_about_ranks(communicator.size());
+        !warning.empty())
+      log.write("WARNING: " + warning);
     // Before the mesh is made, which may take long. Rank 0 has the lock.
     std::optional<DirectoryLock> lock;
     communicator.on_root([&] {
@@ -61,7 +61,7 @@ namespace rift
           // be lost, not even while the cells are divided anew.
           if (!signals)
             signals.emplace();
-          if (simulation.run(&*signals) == Simulation::End::done)
+          if (simulation.run(&*signals) == Simulation::Outcome::done)
             return;
         }
         log.write("The ranks have unequal work: the cells are divided anew");

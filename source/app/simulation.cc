@@ -56,7 +56,7 @@ namespace rift
   {
     choose_time_step(restart);
     prepare(restart);
-    step_of_last_agreement = this->state().step;
+    step_of_last_synchronization = this->state().step;
     if (!record->first_step)
       record->first_step = this->state().step;
     timer.stop(Stage::setup);
@@ -94,8 +94,8 @@ namespace rift
               short_text(steps.time_step / critical.time_step) +
               " times the bound set by " + critical.limited_by + "; " +
               std::to_string(steps.last_step) + " steps");
-    for (const std::string &doubt : doubts(steps, critical))
-      log.write("WARNING: " + doubt);
+    for (const std::string &warning : warnings(steps, critical))
+      log.write("WARNING: " + warning);
 
     for (const auto &module : modules)
       {
@@ -122,10 +122,10 @@ namespace rift
     for (const auto &module : modules)
       module->check_effect(body.discretization, is_prescribed);
     for (const auto &module : modules)
-      for (const std::string &doubt : module->doubts(body.discretization,
-                                                     steps.time_step,
-                                                     steps.last_step))
-        log.write("WARNING: " + doubt);
+      for (const std::string &warning : module->warnings(body.discretization,
+                                                         steps.time_step,
+                                                         steps.last_step))
+        log.write("WARNING: " + warning);
   }
 
   void

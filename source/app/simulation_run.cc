@@ -22,13 +22,13 @@ namespace rift
     constexpr std::uint64_t balance_interval = 100;
 
     /** Ranks ask each other about so often whether all goes well... */
-    constexpr double seconds_between_agreements = .5;
+    constexpr double seconds_between_synchronizations = .5;
 
     /** ... and after so many steps in any case. */
-    constexpr std::uint64_t largest_agreement_interval = 100;
+    constexpr std::uint64_t largest_synchronization_interval = 100;
   } // namespace
 
-  Simulation::End
+  Simulation::Outcome
   Simulation::run(const StopSignals *signals)
   {
     const Energies terms = energies().total(body.communicator);
@@ -60,13 +60,13 @@ namespace rift
           stop();
         is_checkpoint_due = false;
         if (state().step < steps.last_step &&
-            record->division.divides_anew(is_unbalanced()))
-          return End::divide_anew;
+            record->division.repartitions(is_unbalanced()))
+          return Outcome::repartition;
       }
     step();
     progress.finish();
     finish();
-    return End::done;
+    return Outcome::done;
   }
 
   void
@@ -256,9 +256,9 @@ namespace rift
     try
       {
         if (balance || solution || is_checkpoint_due ||
-            state().step >= next_agreement ||
+            state().step >= next_synchronization ||
             (failures.any() && body.communicator.size() == 1))
-          agree();
+          synchronize_status();
         if (balance)
           {
             enter_energies();
@@ -307,12 +307,12 @@ namespace rift
           throw;
         // Behind the cells that have failed in the same step.
         failures.note({state().step, invalid_index, error.what(), ""});
-        next_agreement = 0;
+        next_synchronization = 0;
       }
   }
 
   void
-  Simulation::agree()
+  Simulation::synchronize_status()
   {
     enum
     {
@@ -334,17 +334,17 @@ namespace rift
         const double interval   = parameters.checkpoint.interval_in_minutes;
         numbers[checkpoint_due] = interval > 0 && minutes >= interval ? 1 : 0;
         const double seconds =
-          std::chrono::duration<double>(now - last_agreement).count();
-        const double steps     = state().step - step_of_last_agreement;
+          std::chrono::duration<double>(now - last_synchronization).count();
+        const double steps     = state().step - step_of_last_synchronization;
         numbers[steps_to_next] = static_cast<std::int64_t>(
-          std::clamp(steps * seconds_between_agreements / seconds,
+          std::clamp(steps * seconds_between_synchronizations / seconds,
                      1.,
-                     1. * largest_agreement_interval));
+                     1. * largest_synchronization_interval));
       }
     body.communicator.sum(numbers);
-    last_agreement         = now;
-    step_of_last_agreement = state().step;
-    next_agreement         = state().step + numbers[steps_to_next];
+    last_synchronization         = now;
+    step_of_last_synchronization = state().step;
+    next_synchronization         = state().step + numbers[steps_to_next];
     if (numbers[failed] > 0)
       {
         body.communicator.on_root([this] { log.check(); });

@@ -301,7 +301,7 @@ namespace rift
   }
 
   void
-  Communicator::together(const std::function<void()> &f) const
+  Communicator::collectively(const std::function<void()> &f) const
   {
     // The exit code and the message; empty where all went well.
     std::string failure;
@@ -328,7 +328,7 @@ namespace rift
   void
   Communicator::on_root(const std::function<void()> &f) const
   {
-    together([&] {
+    collectively([&] {
       if (is_root())
         f();
     });

@@ -5,7 +5,7 @@
 namespace rift
 {
   std::string
-  doubt_about_ranks(const int n_ranks)
+  warning_about_ranks(const int n_ranks)
   {
     for (const char *name :
          {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_NTASKS"})

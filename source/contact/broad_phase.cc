@@ -153,7 +153,7 @@ namespace rift
         if (is_full())
           return;
         for (const NumberedBox *b = first; b != last; ++b)
-          if (touch(a.box, b->box))
+          if (boxes_overlap(a.box, b->box))
             {
               ++n_touching;
               const BoxPair pair{std::min(a.number, b->number),

@@ -52,7 +52,7 @@ namespace rift
     , surface(topology)
     , skin(skin_of(surface, topology, state, communicator))
     , rendezvous(communicator, [this](const ContactCell &cell) {
-      return surface.viewers(this->topology.find_cell(cell.cell));
+      return surface.subscribers(this->topology.find_cell(cell.cell));
     })
   {
   }
@@ -149,11 +149,11 @@ namespace rift
     // What moves by half of the skin in a step is searched for in each, farther
     // off.
     const double reach = skin + 2 * move;
-    take(rendezvous.search(own_cells(state, searched_cells), reach));
+    adopt_pairs(rendezvous.search(own_cells(state, searched_cells), reach));
   }
 
   void
-  ContactForce::take(const ContactNeighbourhood &neighbourhood)
+  ContactForce::adopt_pairs(const ContactNeighbourhood &neighbourhood)
   {
     // Old and new pairs are in the same order.
     const std::vector<Member> old_members = std::move(members);
@@ -188,7 +188,7 @@ namespace rift
         if (old != old_pairs.end() && name_of(*old) == name)
           pair = *old;
         else
-          pair.memory.free_potential =
+          pair.memory.initial_potential =
             overlap(a.motion.positions, b.motion.positions).potential;
         pair.a         = member(found.first);
         pair.b         = member(found.second);
@@ -198,14 +198,14 @@ namespace rift
                           1 / (1 / a.constants.mass + 1 / b.constants.mass)};
         pairs.push_back(pair);
       }
-    ask_owners();
+    subscribe();
   }
 
   void
-  ContactForce::ask_owners()
+  ContactForce::subscribe()
   {
-    listeners.clear();
-    tellers.clear();
+    receivers.clear();
+    senders.clear();
     std::map<int, std::vector<GlobalCellIndex>> wanted;
     std::map<int, Partner>                      asked;
     for (std::uint32_t i = 0; i < members.size(); ++i)
@@ -216,13 +216,13 @@ namespace rift
           asked[owner].cells.push_back(i);
         }
     for (auto &[rank, partner] : asked)
-      tellers.push_back(std::move(partner));
+      senders.push_back(std::move(partner));
     for (const auto &[rank, cells] : communicator.exchange(wanted))
       {
-        Partner listener{rank, {}};
+        Partner receiver{rank, {}};
         for (const GlobalCellIndex cell : cells)
-          listener.cells.push_back(topology.find_cell(cell));
-        listeners.push_back(std::move(listener));
+          receiver.cells.push_back(topology.find_cell(cell));
+        receivers.push_back(std::move(receiver));
       }
   }
 
@@ -233,22 +233,22 @@ namespace rift
       if (member.cell.owner == communicator.rank())
         member.cell.motion = motion_of(topology, state, member.local);
     std::map<int, std::string> messages;
-    for (const Partner &listener : listeners)
+    for (const Partner &receiver : receivers)
       {
         std::vector<CellMotion> motions;
-        for (const CellIndex cell : listener.cells)
+        for (const CellIndex cell : receiver.cells)
           motions.push_back(motion_of(topology, state, cell));
-        messages[listener.rank] = to_bytes(motions);
+        messages[receiver.rank] = to_bytes(motions);
       }
     std::map<int, std::size_t> sizes;
-    for (const Partner &teller : tellers)
-      sizes[teller.rank] = teller.cells.size() * sizeof(CellMotion);
+    for (const Partner &sender : senders)
+      sizes[sender.rank] = sender.cells.size() * sizeof(CellMotion);
     const auto received = communicator.exchange(messages, sizes);
-    for (const Partner &teller : tellers)
+    for (const Partner &sender : senders)
       {
-        const auto motions = from_bytes<CellMotion>(received.at(teller.rank));
+        const auto motions = from_bytes<CellMotion>(received.at(sender.rank));
         for (std::size_t i = 0; i < motions.size(); ++i)
-          members[teller.cells[i]].cell.motion = motions[i];
+          members[sender.cells[i]].cell.motion = motions[i];
       }
   }
 
@@ -260,13 +260,13 @@ namespace rift
     for (Pair &pair : pairs)
       {
         const Member       &a = members[pair.a], &b = members[pair.b];
-        const ContactForces forces = touch(a.cell.motion,
-                                           b.cell.motion,
-                                           pair.constants,
-                                           time_step,
-                                           pair.memory);
+        const ContactForces forces = pair_forces(a.cell.motion,
+                                                 b.cell.motion,
+                                                 pair.constants,
+                                                 time_step,
+                                                 pair.memory);
         pair.touches               = forces.energy > 0;
-        if (forces.is_deep && !deep)
+        if (forces.is_too_deep && !deep)
           deep = DeepOverlap{a.cell.cell, b.cell.cell};
         if (a.cell.owner == communicator.rank())
           {

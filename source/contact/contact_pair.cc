@@ -79,11 +79,11 @@ namespace rift
   } // namespace
 
   ContactForces
-  touch(const CellMotion       &a,
-        const CellMotion       &b,
-        const ContactConstants &constants,
-        const double            time_step,
-        ContactMemory          &memory)
+  pair_forces(const CellMotion       &a,
+              const CellMotion       &b,
+              const ContactConstants &constants,
+              const double            time_step,
+              ContactMemory          &memory)
   {
     ContactForces result;
     const Overlap common = overlap(a.positions, b.positions);
@@ -97,15 +97,17 @@ namespace rift
     result.touches = true;
 
     // Eq. 26 and its derivative by the potential
-    memory.free_potential = std::min(memory.free_potential, common.potential);
-    const double free     = memory.free_potential;
+    memory.initial_potential =
+      std::min(memory.initial_potential, common.potential);
+    const double initial = memory.initial_potential;
     const double ratio =
-      (common.potential - free) / (common.potential + 3 * free);
+      (common.potential - initial) / (common.potential + 3 * initial);
     const double slope = constants.penalty * ratio * (2 - ratio);
-    result.energy      = constants.penalty * ratio * (common.potential - free);
-    result.is_deep =
-      free == 0 && (common.potential > largest_mean_potential * common.volume ||
-                    common.share > largest_share);
+    result.energy = constants.penalty * ratio * (common.potential - initial);
+    result.is_too_deep =
+      initial == 0 &&
+      (common.potential > largest_mean_potential * common.volume ||
+       common.volume_fraction > largest_volume_fraction);
     Vector3<double> force{};
     for (unsigned int c = 0; c < 4; ++c)
       {
@@ -119,7 +121,7 @@ namespace rift
       {
         result.friction_loss = spring_energy(memory);
         memory.slip          = {};
-        memory.damper        = 0;
+        memory.damping_force = 0;
         return result;
       }
     const Vector3<double> normal   = (1 / elastic) * force;
@@ -129,18 +131,19 @@ namespace rift
     // stiffness times the square of the depth, over the penalty.
     const double stiffness = elastic * elastic / (2 * slope * common.potential);
 
-    const double speed  = dot(velocity, normal);
-    const double damper = std::max(
+    const double speed         = dot(velocity, normal);
+    const double damping_force = std::max(
       -2 * constants.damping * std::sqrt(stiffness * constants.mass) * speed,
       -elastic);
-    result.damping_loss = -.5 * (memory.damper + damper) * speed * time_step;
-    memory.damper       = damper;
+    result.damping_loss =
+      -.5 * (memory.damping_force + damping_force) * speed * time_step;
+    memory.damping_force = damping_force;
 
-    Vector3<double> added = damper * normal;
+    Vector3<double> added = damping_force * normal;
     if (constants.friction > 0)
       {
         result.friction_loss = slide(normal,
-                                     elastic + damper,
+                                     elastic + damping_force,
                                      stiffness_ratio * stiffness,
                                      constants.friction,
                                      time_step * across(velocity, normal),

@@ -14,7 +14,7 @@ namespace rift
     struct PairRecord
     {
       GlobalCellIndex a, b;
-      double          free_potential, slip[dim], stiffness, damper;
+      double          initial_potential, slip[dim], stiffness, damping_force;
     };
 
     /** A cell that took part in the last search, and where it was then. */
@@ -68,7 +68,7 @@ namespace rift
   ContactForce::refuse_overlaps(
     const std::vector<MaterialParameters> &materials) const
   {
-    communicator.together([&] {
+    communicator.collectively([&] {
       for (const Pair &pair : pairs)
         {
           const ContactCell &a = members[pair.a].cell,
@@ -99,10 +99,10 @@ namespace rift
           continue;
         PairRecord record{a.cell,
                           members[pair.b].cell.cell,
-                          pair.memory.free_potential,
+                          pair.memory.initial_potential,
                           {},
                           pair.memory.stiffness,
-                          pair.memory.damper};
+                          pair.memory.damping_force};
         std::copy(pair.memory.slip.begin(),
                   pair.memory.slip.end(),
                   record.slip);
@@ -168,7 +168,7 @@ namespace rift
     std::vector<Rendezvous::NamedPair> names;
     for (const PairRecord &record : sorted)
       names.emplace_back(record.a, record.b);
-    take(rendezvous.join(own_cells(state, searched_cells), names));
+    adopt_pairs(rendezvous.join(own_cells(state, searched_cells), names));
     auto record = sorted.begin();
     for (Pair &pair : pairs)
       {
@@ -178,9 +178,9 @@ namespace rift
         });
         if (record == sorted.end())
           throw std::logic_error("a restored pair has no record");
-        pair.memory.free_potential = record->free_potential;
-        pair.memory.stiffness      = record->stiffness;
-        pair.memory.damper         = record->damper;
+        pair.memory.initial_potential = record->initial_potential;
+        pair.memory.stiffness         = record->stiffness;
+        pair.memory.damping_force     = record->damping_force;
         std::copy(std::begin(record->slip),
                   std::end(record->slip),
                   pair.memory.slip.begin());

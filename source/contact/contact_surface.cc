@@ -92,7 +92,7 @@ namespace rift
   }
 
   std::vector<int>
-  ContactSurface::viewers(const CellIndex cell) const
+  ContactSurface::subscribers(const CellIndex cell) const
   {
     std::vector<int> ranks;
     for (unsigned int c = 0; c < n_corners; ++c)

@@ -140,7 +140,7 @@ namespace rift
       /** How far it is from a corner inside to the plane, on the way to one
        * outside. */
       double
-      share(const Point &in, const Point &out) const
+      cut_fraction(const Point &in, const Point &out) const
       {
         return in.in_b[number] / (in.in_b[number] - out.in_b[number]);
       }
@@ -148,14 +148,14 @@ namespace rift
       /** The point there: exactly in the plane, which it is not cut by again.
        */
       Point
-      between(const Point &in, const Point &out, const double share) const
+      between(const Point &in, const Point &out, const double fraction) const
       {
         constexpr Mask others[4] = {{0, -1, -1, -1},
                                     {-1, 0, -1, -1},
                                     {-1, -1, 0, -1},
                                     {-1, -1, -1, 0}};
-        const Row      in_b      = in.in_b + share * (out.in_b - in.in_b);
-        return {in.in_a + share * (out.in_a - in.in_a),
+        const Row      in_b      = in.in_b + fraction * (out.in_b - in.in_b);
+        return {in.in_a + fraction * (out.in_a - in.in_a),
                 (Row)((Mask)in_b & others[number])};
       }
 
@@ -199,8 +199,9 @@ namespace rift
           return;
         case 1:
           {
-            const double t1 = plane.share(p0, p1), t2 = plane.share(p0, p2),
-                         t3 = plane.share(p0, p3);
+            const double t1 = plane.cut_fraction(p0, p1),
+                         t2 = plane.cut_fraction(p0, p2),
+                         t3 = plane.cut_fraction(p0, p3);
             const Point c1  = plane.between(p0, p1, t1),
                         c2  = plane.between(p0, p2, t2),
                         c3  = plane.between(p0, p3, t3);
@@ -209,12 +210,14 @@ namespace rift
           }
         case 2:
           {
-            const double t02 = plane.share(p0, p2), t03 = plane.share(p0, p3),
-                         t12 = plane.share(p1, p2), t13 = plane.share(p1, p3);
-            const Point c02 = plane.between(p0, p2, t02),
-                        c03 = plane.between(p0, p3, t03),
-                        c12 = plane.between(p1, p2, t12),
-                        c13 = plane.between(p1, p3, t13);
+            const double t02 = plane.cut_fraction(p0, p2),
+                         t03 = plane.cut_fraction(p0, p3),
+                         t12 = plane.cut_fraction(p1, p2),
+                         t13 = plane.cut_fraction(p1, p3);
+            const Point c02  = plane.between(p0, p2, t02),
+                        c03  = plane.between(p0, p3, t03),
+                        c12  = plane.between(p1, p2, t12),
+                        c13  = plane.between(p1, p3, t13);
             clip({{&p0, &p1, &c02, &c03}}, volume * t02 * t03, part);
             clip({{&c02, &c03, &p1, &c12}},
                  volume * (1 - t02) * t03 * t12,
@@ -226,8 +229,9 @@ namespace rift
           }
         case 3:
           {
-            const double t0 = plane.share(p0, p3), t1 = plane.share(p1, p3),
-                         t2 = plane.share(p2, p3);
+            const double t0 = plane.cut_fraction(p0, p3),
+                         t1 = plane.cut_fraction(p1, p3),
+                         t2 = plane.cut_fraction(p2, p3);
             const Point c0  = plane.between(p0, p3, t0),
                         c1  = plane.between(p1, p3, t1),
                         c2  = plane.between(p2, p3, t2);
@@ -372,8 +376,8 @@ namespace rift
                   result.potential,
                   result.gradient_b,
                   result.gradient_a);
-    result.volume = part.volume;
-    result.share  = part.volume / smaller;
+    result.volume          = part.volume;
+    result.volume_fraction = part.volume / smaller;
     for (unsigned int c = 0; c < 4; ++c)
       {
         result.weights_a[c] = part.moment.in_a[c] / part.volume;

@@ -49,7 +49,7 @@ namespace rift
 
     /** No pair is in two of the parts; cells may be. */
     ContactNeighbourhood
-    unite(const std::vector<ContactNeighbourhood> &parts)
+    merge_neighbourhoods(const std::vector<ContactNeighbourhood> &parts)
     {
       std::vector<const ContactCell *> found;
       for (const ContactNeighbourhood &part : parts)
@@ -78,9 +78,10 @@ namespace rift
     }
   } // namespace
 
-  Rendezvous::Rendezvous(const Communicator &communicator, Viewers viewers)
+  Rendezvous::Rendezvous(const Communicator &communicator,
+                         Subscribers         subscribers)
     : communicator(communicator)
-    , viewers(std::move(viewers))
+    , subscribers(std::move(subscribers))
   {
   }
 
@@ -109,19 +110,20 @@ namespace rift
       !(largest_number < largest_growth * largest_number_at_first);
     if (is_new)
       divide(own);
-    const Guests guests = invite(own, [&](const ContactCell &cell) {
-      return division.ranks_of(box_around(cell.motion.positions, skin / 2));
-    });
-    largest_number      = communicator.max(guests.cells.size());
+    const ReceivedCells received =
+      send_to_space_owners(own, [&](const ContactCell &cell) {
+        return division.ranks_of(box_around(cell.motion.positions, skin / 2));
+      });
+    largest_number = communicator.max(received.cells.size());
     if (is_new)
       largest_number_at_first = largest_number;
 
     std::vector<BoxPair> pairs;
-    communicator.together([&] {
+    communicator.collectively([&] {
       pairs =
-        find_candidates(guests.cells, skin, division, communicator.rank());
+        find_candidates(received.cells, skin, division, communicator.rank());
     });
-    return tell(guests, pairs);
+    return return_pairs(received, pairs);
   }
 
   ContactNeighbourhood
@@ -146,30 +148,31 @@ namespace rift
         ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
       }
 
-    const Guests         guests = invite(own, [&](const ContactCell &cell) {
-      const auto found = places.find(cell.cell);
-      return found == places.end() ? std::vector<int>() : found->second;
-    });
+    const ReceivedCells received =
+      send_to_space_owners(own, [&](const ContactCell &cell) {
+        const auto found = places.find(cell.cell);
+        return found == places.end() ? std::vector<int>() : found->second;
+      });
     std::vector<BoxPair> own_pairs;
     for (const NamedPair &pair : pairs)
       if (place_of(pair) == communicator.rank())
-        own_pairs.push_back({position_of(pair.first, guests.cells),
-                             position_of(pair.second, guests.cells)});
-    return tell(guests, own_pairs);
+        own_pairs.push_back({position_of(pair.first, received.cells),
+                             position_of(pair.second, received.cells)});
+    return return_pairs(received, own_pairs);
   }
 
-  Rendezvous::Guests
-  Rendezvous::invite(const std::vector<ContactCell> &own,
-                     const Places                   &places) const
+  Rendezvous::ReceivedCells
+  Rendezvous::send_to_space_owners(const std::vector<ContactCell> &own,
+                                   const Destinations &destinations) const
   {
     std::map<int, std::vector<ContactCell>> cells;
     // Of each cell the number of those who see it, and these.
     std::map<int, std::vector<int>> views;
     for (const ContactCell &cell : own)
-      for (const int place : places(cell))
+      for (const int place : destinations(cell))
         {
           cells[place].push_back(cell);
-          const std::vector<int> ranks = viewers(cell);
+          const std::vector<int> ranks = subscribers(cell);
           std::vector<int>      &view  = views[place];
           view.push_back(static_cast<int>(ranks.size()));
           view.insert(view.end(), ranks.begin(), ranks.end());
@@ -187,25 +190,25 @@ namespace rift
     std::sort(order.begin(), order.end(), [](const auto &a, const auto &b) {
       return a.first->cell < b.first->cell;
     });
-    Guests guests;
-    guests.cells.reserve(order.size());
+    ReceivedCells received;
+    received.cells.reserve(order.size());
     for (const auto &[cell, ranks] : order)
       {
-        guests.cells.push_back(*cell);
-        guests.viewers.push_back(std::move(*ranks));
+        received.cells.push_back(*cell);
+        received.subscribers.push_back(std::move(*ranks));
       }
-    return guests;
+    return received;
   }
 
   ContactNeighbourhood
-  Rendezvous::tell(const Guests               &guests,
-                   const std::vector<BoxPair> &pairs) const
+  Rendezvous::return_pairs(const ReceivedCells        &received,
+                           const std::vector<BoxPair> &pairs) const
   {
     std::map<int, std::vector<BoxPair>> concerned;
     for (const BoxPair &pair : pairs)
       {
-        const auto &of_first  = guests.viewers[pair.first],
-                   &of_second = guests.viewers[pair.second];
+        const auto &of_first  = received.subscribers[pair.first],
+                   &of_second = received.subscribers[pair.second];
         for (const int rank : of_first)
           concerned[rank].push_back(pair);
         for (const int rank : of_second)
@@ -216,7 +219,7 @@ namespace rift
     std::map<int, std::vector<BoxPair>>     told;
     for (auto &[rank, of_rank] : concerned)
       {
-        ContactNeighbourhood part = select(guests.cells, of_rank);
+        ContactNeighbourhood part = select(received.cells, of_rank);
         cells[rank]               = std::move(part.cells);
         told[rank]                = std::move(part.pairs);
       }
@@ -225,6 +228,6 @@ namespace rift
     std::vector<ContactNeighbourhood> parts;
     for (const auto &[rank, of_rank] : new_cells)
       parts.push_back({of_rank, new_pairs.at(rank)});
-    return unite(parts);
+    return merge_neighbourhoods(parts);
   }
 } // namespace rift

@@ -124,7 +124,7 @@ namespace rift
     if (parted.empty())
       separate_touching_pieces(topology);
     else
-      part_materials(topology, parted);
+      separate_materials(topology, parted);
     result.exchange = GhostExchange(communicator, topology);
     result.reference.resize(topology.n_batches(), ReferenceBatch{});
     result.state.resize(topology.n_nodes());

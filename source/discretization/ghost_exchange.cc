@@ -42,7 +42,7 @@ namespace rift
   {
     if (the_communicator.size() == 1)
       return;
-    ask(the_communicator, topology);
+    request_nodes(the_communicator, topology);
     name_first_nodes(the_communicator, topology);
   }
 
@@ -53,8 +53,8 @@ namespace rift
   }
 
   void
-  GhostExchange::ask(const Communicator &the_communicator,
-                     const Topology     &topology)
+  GhostExchange::request_nodes(const Communicator &the_communicator,
+                               const Topology     &topology)
   {
     std::map<int, std::vector<NamedCorner>> questions;
     std::map<int, std::vector<CellCorner>>  asked;
@@ -64,92 +64,92 @@ namespace rift
         const auto last  = topology.vertex_cells_last(vertex);
         if (first == last || topology.is_complete(vertex))
           continue;
-        const int teller = topology.cell_owners[*first];
+        const int sender = topology.cell_owners[*first];
         for (auto cell = first; cell != last; ++cell)
           {
             const unsigned int corner =
               topology.corner_at_vertex(*cell, vertex);
-            asked[teller].push_back({*cell, static_cast<std::uint8_t>(corner)});
-            questions[teller].push_back(
+            asked[sender].push_back({*cell, static_cast<std::uint8_t>(corner)});
+            questions[sender].push_back(
               {topology.cell_global_indices[*cell], corner});
           }
       }
     for (auto &[rank, corners] : asked)
       {
-        Partner teller;
-        teller.rank    = rank;
-        teller.corners = std::move(corners);
+        Partner sender;
+        sender.rank    = rank;
+        sender.corners = std::move(corners);
         // As yet without numbers.
-        teller.corner_nodes.assign(teller.corners.size(), invalid_index);
-        tellers.push_back(std::move(teller));
+        sender.corner_nodes.assign(sender.corners.size(), invalid_index);
+        senders.push_back(std::move(sender));
       }
 
     for (const auto &[rank, asked_here] : the_communicator.exchange(questions))
       {
-        Partner listener;
-        listener.rank = rank;
+        Partner receiver;
+        receiver.rank = rank;
         for (const NamedCorner &named : asked_here)
           {
             const CellIndex cell = topology.find_cell(named.cell);
-            const auto i = static_cast<std::uint32_t>(listener.corners.size());
+            const auto i = static_cast<std::uint32_t>(receiver.corners.size());
             const VertexIndex vertex = topology.vertex(cell, named.corner);
-            if (listener.vertices.empty() ||
-                listener.vertices.back().vertex != vertex)
-              listener.vertices.push_back({vertex, i, i});
-            ++listener.vertices.back().end;
-            listener.corners.push_back(
+            if (receiver.vertices.empty() ||
+                receiver.vertices.back().vertex != vertex)
+              receiver.vertices.push_back({vertex, i, i});
+            ++receiver.vertices.back().end;
+            receiver.corners.push_back(
               {cell, static_cast<std::uint8_t>(named.corner)});
           }
-        listener.corner_nodes.assign(listener.corners.size(), invalid_index);
-        listeners.push_back(std::move(listener));
+        receiver.corner_nodes.assign(receiver.corners.size(), invalid_index);
+        receivers.push_back(std::move(receiver));
       }
   }
 
   std::vector<GhostExchange::ChangedCorner>
   GhostExchange::number_nodes(const Topology      &topology,
-                              Partner             &listener,
+                              Partner             &receiver,
                               const VertexCorners &at_vertex)
   {
     std::vector<ChangedCorner> changed;
     const auto                 number = [&](const NodeIndex node) {
       for (std::uint32_t i = at_vertex.begin; i < at_vertex.end; ++i)
         {
-          const std::uint32_t known = listener.corner_nodes[i];
-          if (known != invalid_index && listener.nodes[known] == node)
+          const std::uint32_t known = receiver.corner_nodes[i];
+          if (known != invalid_index && receiver.nodes[known] == node)
             return known;
         }
-      listener.nodes.push_back(node);
-      return static_cast<std::uint32_t>(listener.nodes.size() - 1);
+      receiver.nodes.push_back(node);
+      return static_cast<std::uint32_t>(receiver.nodes.size() - 1);
     };
     for (std::uint32_t i = at_vertex.begin; i < at_vertex.end; ++i)
       {
-        const auto [cell, corner]  = listener.corners[i];
-        const std::uint32_t former = listener.corner_nodes[i];
+        const auto [cell, corner]  = receiver.corners[i];
+        const std::uint32_t former = receiver.corner_nodes[i];
         const NodeIndex     node   = topology.node(cell, corner);
-        if (former != invalid_index && listener.nodes[former] == node)
+        if (former != invalid_index && receiver.nodes[former] == node)
           continue;
-        listener.corner_nodes[i] = number(node);
-        changed.push_back({i, listener.corner_nodes[i]});
+        receiver.corner_nodes[i] = number(node);
+        changed.push_back({i, receiver.corner_nodes[i]});
       }
     return changed;
   }
 
   NodeIndex
   GhostExchange::change_node(Topology           &topology,
-                             Partner            &teller,
+                             Partner            &sender,
                              const ChangedCorner changed)
   {
-    const auto [cell, corner] = teller.corners[changed.corner];
+    const auto [cell, corner] = sender.corners[changed.corner];
     NodeIndex &node =
       topology.batches[cell / batch_size].corner[corner][cell % batch_size];
     const NodeIndex old = node;
-    if (changed.node == teller.nodes.size())
+    if (changed.node == sender.nodes.size())
       {
-        teller.nodes.push_back(static_cast<NodeIndex>(topology.n_nodes()));
+        sender.nodes.push_back(static_cast<NodeIndex>(topology.n_nodes()));
         topology.node_vertices.push_back(topology.node_vertices[old]);
       }
-    teller.corner_nodes[changed.corner] = changed.node;
-    node                                = teller.nodes[changed.node];
+    sender.corner_nodes[changed.corner] = changed.node;
+    node                                = sender.nodes[changed.node];
     return old;
   }
 
@@ -158,57 +158,57 @@ namespace rift
                                   Topology           &topology)
   {
     std::map<int, std::vector<std::uint32_t>> answers;
-    for (Partner &listener : listeners)
+    for (Partner &receiver : receivers)
       {
-        for (const VertexCorners &at_vertex : listener.vertices)
-          number_nodes(topology, listener, at_vertex);
-        answers[listener.rank] = listener.corner_nodes;
+        for (const VertexCorners &at_vertex : receiver.vertices)
+          number_nodes(topology, receiver, at_vertex);
+        answers[receiver.rank] = receiver.corner_nodes;
         // In this order they are found again.
-        std::sort(listener.vertices.begin(),
-                  listener.vertices.end(),
+        std::sort(receiver.vertices.begin(),
+                  receiver.vertices.end(),
                   [](const VertexCorners &a, const VertexCorners &b) {
                     return a.vertex < b.vertex;
                   });
       }
     const auto numbers = the_communicator.exchange(answers);
-    for (Partner &teller : tellers)
+    for (Partner &sender : senders)
       {
-        const auto &of_corners  = numbers.at(teller.rank);
+        const auto &of_corners  = numbers.at(sender.rank);
         VertexIndex last_vertex = invalid_index;
         for (std::uint32_t i = 0; i < of_corners.size(); ++i)
           {
-            const auto [cell, corner] = teller.corners[i];
+            const auto [cell, corner] = sender.corners[i];
             const NodeIndex   node    = topology.node(cell, corner);
             const VertexIndex vertex  = topology.node_vertices[node];
             // The first one has been there from the start.
             if (vertex != last_vertex)
-              teller.nodes.push_back(node);
+              sender.nodes.push_back(node);
             last_vertex = vertex;
-            change_node(topology, teller, {i, of_corners[i]});
+            change_node(topology, sender, {i, of_corners[i]});
           }
       }
   }
 
-  std::vector<GhostExchange::ToldOpening>
+  std::vector<GhostExchange::OpeningMessage>
   GhostExchange::select_openings(const Topology                   &topology,
-                                 const Partner                    &listener,
+                                 const Partner                    &receiver,
                                  const std::vector<OpeningCorner> &openings)
   {
-    std::vector<ToldOpening> told;
+    std::vector<OpeningMessage> told;
     for (const OpeningCorner &opening : openings)
       {
         const Face        &face = topology.faces[opening.face];
         const unsigned int corner =
           face_corners[face.local_faces[0]][opening.corner];
         const VertexIndex vertex = topology.vertex(face.cells[0], corner);
-        const auto        at     = find_vertex(listener.vertices, vertex);
-        if (at == listener.vertices.end())
+        const auto        at     = find_vertex(receiver.vertices, vertex);
+        if (at == receiver.vertices.end())
           continue;
-        // The listener has the face if it sees both of its cells.
+        // The receiver has the face if it sees both of its cells.
         const auto sees = [&](const CellIndex cell) {
           return std::any_of(
-            listener.corners.begin() + at->begin,
-            listener.corners.begin() + at->end,
+            receiver.corners.begin() + at->begin,
+            receiver.corners.begin() + at->end,
             [cell](const CellCorner &c) { return c.cell == cell; });
         };
         if (sees(face.cells[0]) && sees(face.cells[1]))
@@ -227,27 +227,27 @@ namespace rift
                       const std::vector<NodeSplit>     &splits,
                       const std::vector<OpeningCorner> &openings)
   {
-    for (Partner &listener : listeners)
+    for (Partner &receiver : receivers)
       {
         std::vector<ChangedCorner> changed;
         for (const NodeSplit &split : splits)
           {
             const VertexIndex vertex = topology.node_vertices[split.parts[0]];
-            const auto        at     = find_vertex(listener.vertices, vertex);
-            if (at == listener.vertices.end())
+            const auto        at     = find_vertex(receiver.vertices, vertex);
+            if (at == receiver.vertices.end())
               continue;
-            const auto here = number_nodes(topology, listener, *at);
+            const auto here = number_nodes(topology, receiver, *at);
             changed.insert(changed.end(), here.begin(), here.end());
           }
-        const auto         told = select_openings(topology, listener, openings);
+        const auto         told = select_openings(topology, receiver, openings);
         const Header       header{static_cast<std::uint32_t>(changed.size()),
                             static_cast<std::uint32_t>(told.size())};
-        std::vector<char> &buffer = listener.buffer;
+        std::vector<char> &buffer = receiver.buffer;
         buffer.clear();
         append(buffer, &header, 1);
         append(buffer, changed.data(), changed.size());
         append(buffer, told.data(), told.size());
-        for (const NodeIndex node : listener.nodes)
+        for (const NodeIndex node : receiver.nodes)
           {
             append(buffer, state.displacement[node].v, dim);
             if (has_velocities)
@@ -256,10 +256,10 @@ namespace rift
         MPI_Isend(buffer.data(),
                   mpi_count(buffer.size()),
                   MPI_BYTE,
-                  listener.rank,
+                  receiver.rank,
                   tag,
                   communicator,
-                  &listener.request);
+                  &receiver.request);
       }
   }
 
@@ -268,23 +268,23 @@ namespace rift
   {
     Change         change;
     TopologyChange new_nodes;
-    for (Partner &teller : tellers)
+    for (Partner &sender : senders)
       {
-        receive_bytes(teller);
-        const char  *bytes  = teller.buffer.data();
+        receive_bytes(sender);
+        const char  *bytes  = sender.buffer.data();
         const Header header = take<Header>(bytes, 1)[0];
         for (const ChangedCorner changed :
              take<ChangedCorner>(bytes, header.n_changed))
           {
             const std::size_t n_before = topology.n_nodes();
-            const NodeIndex   old      = change_node(topology, teller, changed);
+            const NodeIndex   old      = change_node(topology, sender, changed);
             if (topology.n_nodes() > n_before)
               new_nodes.splits.push_back(
                 {{old, static_cast<NodeIndex>(n_before)}});
             change.vertices.push_back(topology.node_vertices[old]);
           }
-        for (const ToldOpening &told :
-             take<ToldOpening>(bytes, header.n_openings))
+        for (const OpeningMessage &told :
+             take<OpeningMessage>(bytes, header.n_openings))
           {
             const FaceIndex index =
               topology.find_face({told.minus_cell, told.local_face});
@@ -299,26 +299,26 @@ namespace rift
           state.mass[split.parts[1]] = state.mass[split.parts[0]];
         new_nodes.splits.clear();
         activity.grow(topology.n_nodes());
-        unpack_values(bytes, teller, topology, state, activity);
+        unpack_values(bytes, sender, topology, state, activity);
       }
-    for (Partner &listener : listeners)
-      MPI_Wait(&listener.request, MPI_STATUS_IGNORE);
+    for (Partner &receiver : receivers)
+      MPI_Wait(&receiver.request, MPI_STATUS_IGNORE);
     return change;
   }
 
   void
-  GhostExchange::receive_bytes(Partner &teller) const
+  GhostExchange::receive_bytes(Partner &sender) const
   {
     // How long it is depends on what a crack has changed.
     MPI_Status status;
     int        n_bytes = 0;
-    MPI_Probe(teller.rank, tag, communicator, &status);
+    MPI_Probe(sender.rank, tag, communicator, &status);
     MPI_Get_count(&status, MPI_BYTE, &n_bytes);
-    teller.buffer.resize(n_bytes);
-    MPI_Recv(teller.buffer.data(),
+    sender.buffer.resize(n_bytes);
+    MPI_Recv(sender.buffer.data(),
              n_bytes,
              MPI_BYTE,
-             teller.rank,
+             sender.rank,
              tag,
              communicator,
              MPI_STATUS_IGNORE);
@@ -326,7 +326,7 @@ namespace rift
 
   void
   GhostExchange::unpack_values(const char     *values,
-                               const Partner  &teller,
+                               const Partner  &sender,
                                const Topology &topology,
                                State          &state,
                                Activity       &activity) const
@@ -339,7 +339,7 @@ namespace rift
                             std::abs(state.velocity[node][d])});
       return largest == 0;
     };
-    for (const NodeIndex node : teller.nodes)
+    for (const NodeIndex node : sender.nodes)
       {
         // What has moved once has woken its cells.
         const bool was_at_rest = is_at_rest(node);
@@ -359,8 +359,8 @@ namespace rift
   GhostExchange::n_bytes() const
   {
     std::size_t sum = 0;
-    for (const Partner &listener : listeners)
-      sum += sizeof(Header) + listener.nodes.size() * bytes_per_node();
+    for (const Partner &receiver : receivers)
+      sum += sizeof(Header) + receiver.nodes.size() * bytes_per_node();
     return sum;
   }
 } // namespace rift

@@ -123,7 +123,7 @@ namespace rift
                                 const WriteBlocks  &write_blocks) const
   {
     CheckpointFileId id;
-    communicator.together([&] {
+    communicator.collectively([&] {
       create_folder(unfinished);
       CheckpointFileWriter file(
         unfinished + "/" +

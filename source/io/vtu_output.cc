@@ -98,7 +98,7 @@ namespace rift
     const auto     sizes =
       communicator.all_gather(std::to_string(piece.data().size()));
     const std::string xml = piece.xml(sum_of_sizes(sizes, first, rank));
-    communicator.together([&] {
+    communicator.collectively([&] {
       if (rank == first)
         write_pieces(path,
                      time,

@@ -67,9 +67,9 @@ namespace rift
   }
 
   std::vector<std::string>
-  PrescribedMotion::doubts(const Discretization &body,
-                           const double          time_step,
-                           const std::uint64_t   n_steps) const
+  PrescribedMotion::warnings(const Discretization &body,
+                             const double          time_step,
+                             const std::uint64_t   n_steps) const
   {
     std::vector<std::string> result = doubts_of_order(body.communicator);
     if (body.communicator.is_root())

@@ -85,9 +85,9 @@ namespace rift
   }
 
   std::vector<std::string>
-  SurfaceLoad::doubts(const Discretization &body,
-                      const double          time_step,
-                      const std::uint64_t   n_steps) const
+  SurfaceLoad::warnings(const Discretization &body,
+                        const double          time_step,
+                        const std::uint64_t   n_steps) const
   {
     std::vector<TimeFunction> functions;
     if (pressure)

@@ -151,7 +151,8 @@ namespace rift
   }
 
   std::string
-  TimeFunction::doubt(const double time_step, const std::uint64_t n_steps) const
+  TimeFunction::warning(const double        time_step,
+                        const std::uint64_t n_steps) const
   {
     const double share = unresolved_share(time_step, n_steps);
     if (!(share > largest_unresolved_share))
@@ -172,11 +173,11 @@ namespace rift
   add_doubts(const std::vector<TimeFunction> &functions,
              const double                     time_step,
              const std::uint64_t              n_steps,
-             std::vector<std::string>        &doubts)
+             std::vector<std::string>        &warnings)
   {
     for (const TimeFunction &function : functions)
-      if (const std::string doubt = function.doubt(time_step, n_steps);
-          !doubt.empty())
-        doubts.push_back(doubt);
+      if (const std::string warning = function.warning(time_step, n_steps);
+          !warning.empty())
+        warnings.push_back(warning);
   }
 } // namespace rift

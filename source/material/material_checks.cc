@@ -346,7 +346,7 @@ namespace rift
   }
 
   std::vector<std::string>
-  MaterialParameters::doubts() const
+  MaterialParameters::warnings() const
   {
     std::vector<std::string> result;
     for (const auto &[entry, value] :

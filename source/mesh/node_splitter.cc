@@ -118,7 +118,7 @@ namespace rift
   }
 
   void
-  part_materials(Topology &topology, const std::vector<bool> &parted)
+  separate_materials(Topology &topology, const std::vector<bool> &parted)
   {
     for (FaceIndex face = 0; face < topology.faces.size(); ++face)
       {

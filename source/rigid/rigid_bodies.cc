@@ -75,7 +75,7 @@ namespace rift
           materials[bodies[i].material].initial_velocity;
       }
     find_nodes();
-    weigh(state);
+    compute_mass_properties(state);
   }
 
   void
@@ -96,7 +96,7 @@ namespace rift
   }
 
   void
-  RigidBodies::weigh(const State &state)
+  RigidBodies::compute_mass_properties(const State &state)
   {
     // Mass and first moments, then second moments about the centre.
     struct Moments
@@ -247,9 +247,9 @@ namespace rift
   }
 
   std::vector<std::string>
-  RigidBodies::doubts(const Discretization &,
-                      const double        time_step,
-                      const std::uint64_t n_steps) const
+  RigidBodies::warnings(const Discretization &,
+                        const double        time_step,
+                        const std::uint64_t n_steps) const
   {
     std::vector<TimeFunction> functions;
     for (const Drive &drive : drives)

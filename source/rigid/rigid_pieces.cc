@@ -68,7 +68,7 @@ namespace rift
   }
 
   RigidPieces
-  share(const RigidPieces &pieces, const Communicator &communicator)
+  broadcast_pieces(const RigidPieces &pieces, const Communicator &communicator)
   {
     RigidPieces shared       = pieces;
     const auto  share_vector = [&](auto &values) {

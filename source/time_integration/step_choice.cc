@@ -53,7 +53,7 @@ namespace rift
   }
 
   std::vector<std::string>
-  doubts(const StepChoice &choice, const CriticalTimeStep &critical)
+  warnings(const StepChoice &choice, const CriticalTimeStep &critical)
   {
     std::vector<std::string> result;
     if (choice.last_step > usual_number_of_steps)

@@ -215,11 +215,11 @@ TEST(MaterialChecks, FractureEnergyInAnotherUnit)
 {
   MaterialParameters material = granite();
   material.fracture_energy_1  = 1;
-  EXPECT_TRUE(material.doubts().empty());
+  EXPECT_TRUE(material.warnings().empty());
   material.fracture_energy_2 = .4;
-  ASSERT_EQ(material.doubts().size(), 1u);
+  ASSERT_EQ(material.warnings().size(), 1u);
   EXPECT_EQ(
-    material.doubts()[0],
+    material.warnings()[0],
     "Material granite/Fracture energy II = 0.4 is less than rock, glass "
     "and metal have. Is it in N/mm or kJ/m^2? rift uses J/m^2.");
 }

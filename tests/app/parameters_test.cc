@@ -280,8 +280,8 @@ end
 TEST_F(ParametersTest, DoubtsWhatMayNotBeMeant)
 {
   const std::string scene = write("everything.prm", full_scene);
-  EXPECT_TRUE(doubts(read_parameters(scene)).empty());
-  const auto found = doubts(read_parameters(
+  EXPECT_TRUE(warnings(read_parameters(scene)).empty());
+  const auto found = warnings(read_parameters(
     scene,
     {"Fracture/Cohesive model=none", "Output/Solution interval=1e3"}));
   ASSERT_EQ(found.size(), 2u);

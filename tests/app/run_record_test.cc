@@ -6,23 +6,23 @@
 
 using namespace rift;
 
-TEST(DivisionPolicy, WaitsLongerAfterEachDivisionThatDoesNotHelp)
+TEST(RepartitionPolicy, WaitsLongerAfterEachDivisionThatDoesNotHelp)
 {
-  DivisionPolicy            policy;
+  RepartitionPolicy         policy;
   std::vector<unsigned int> divided;
   for (unsigned int checkpoint = 0; checkpoint < 16; ++checkpoint)
-    if (policy.divides_anew(true))
+    if (policy.repartitions(true))
       divided.push_back(checkpoint);
   EXPECT_EQ(divided, (std::vector<unsigned int>{0, 2, 6, 14}));
 }
 
-TEST(DivisionPolicy, ForgetsWhenTheRanksHaveEqualWork)
+TEST(RepartitionPolicy, ForgetsWhenTheRanksHaveEqualWork)
 {
-  DivisionPolicy policy;
-  EXPECT_FALSE(policy.divides_anew(false));
-  EXPECT_TRUE(policy.divides_anew(true));
-  EXPECT_FALSE(policy.divides_anew(true));
-  EXPECT_FALSE(policy.divides_anew(false));
-  EXPECT_TRUE(policy.divides_anew(true));
-  EXPECT_FALSE(policy.divides_anew(true));
+  RepartitionPolicy policy;
+  EXPECT_FALSE(policy.repartitions(false));
+  EXPECT_TRUE(policy.repartitions(true));
+  EXPECT_FALSE(policy.repartitions(true));
+  EXPECT_FALSE(policy.repartitions(false));
+  EXPECT_TRUE(policy.repartitions(true));
+  EXPECT_FALSE(policy.repartitions(true));
 }

@@ -192,7 +192,7 @@ TEST(Communicator, AllThrowTheErrorOfTheLowestRank)
   for (int failing = 0; failing < all.size(); ++failing)
     try
       {
-        all.together([&] {
+        all.collectively([&] {
           if (all.rank() >= failing)
             throw DiskError("rank " + std::to_string(all.rank()));
         });
@@ -211,14 +211,14 @@ TEST(Communicator, UnforeseenExceptionsReachAll)
   if (all.size() == 1)
     {
       // Alone, nobody else has to learn of it.
-      EXPECT_THROW(all.together([] { throw std::out_of_range("x"); }),
+      EXPECT_THROW(all.collectively([] { throw std::out_of_range("x"); }),
                    std::out_of_range);
       return;
     }
   const auto expect = [&](const std::string &message, const auto &f) {
     try
       {
-        all.together([&] {
+        all.collectively([&] {
           if (all.rank() == 1)
             f();
         });

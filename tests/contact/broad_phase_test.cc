@@ -17,7 +17,7 @@ namespace
     std::vector<BoxPair> pairs;
     for (std::uint32_t i = 0; i < boxes.size(); ++i)
       for (std::uint32_t j = i + 1; j < boxes.size(); ++j)
-        if (touch(boxes[i], boxes[j]))
+        if (boxes_overlap(boxes[i], boxes[j]))
           pairs.push_back({i, j});
     return pairs;
   }

@@ -98,7 +98,7 @@ TEST(ContactPair, GivesBackTheWorkOnClosedPaths)
           const double h    = 1. / n;
           const auto   here = on_path(amplitudes, is_rigid, i * h);
           const auto   forces =
-            touch(at_rest(here[0]), at_rest(here[1]), smooth, 0, memory);
+            pair_forces(at_rest(here[0]), at_rest(here[1]), smooth, 0, memory);
           largest             = std::max(largest, forces.energy);
           const auto   before = on_path(amplitudes, is_rigid, i * h - 1e-4);
           const auto   after  = on_path(amplitudes, is_rigid, i * h + 1e-4);
@@ -115,7 +115,7 @@ TEST(ContactPair, GivesBackTheWorkOnClosedPaths)
         }
       EXPECT_GT(largest, 1e-3 * penalty);
       EXPECT_LT(std::abs(work), 1e-10 * largest) << path;
-      EXPECT_EQ(memory.free_potential, 0);
+      EXPECT_EQ(memory.initial_potential, 0);
     }
 }
 
@@ -125,9 +125,9 @@ TEST(ContactPair, BornWithAnOverlapStartsWithoutForceAndEnergy)
     return moving(upper, {{0, 0, -depth}}, {});
   };
   ContactMemory memory;
-  memory.free_potential = overlap(lower, at_depth(.1).positions).potential;
-  const auto energy_at  = [&](const double depth) {
-    return touch(at_rest(lower), at_depth(depth), smooth, 0, memory);
+  memory.initial_potential = overlap(lower, at_depth(.1).positions).potential;
+  const auto energy_at     = [&](const double depth) {
+    return pair_forces(at_rest(lower), at_depth(depth), smooth, 0, memory);
   };
   EXPECT_EQ(energy_at(.1).energy, 0);
   EXPECT_EQ(norm(sum(energy_at(.1).on_a)), 0);
@@ -146,7 +146,7 @@ TEST(ContactPair, BornWithAnOverlapStartsWithoutForceAndEnergy)
   energy_at(-.1);
   ContactMemory fresh;
   EXPECT_EQ(energy_at(.1).energy,
-            touch(at_rest(lower), at_depth(.1), smooth, 0, fresh).energy);
+            pair_forces(at_rest(lower), at_depth(.1), smooth, 0, fresh).energy);
 }
 
 TEST(ContactPair, RubsWithCoulombsForce)
@@ -161,11 +161,11 @@ TEST(ContactPair, RubsWithCoulombsForce)
   for (unsigned int i = 0; i <= n; ++i)
     {
       const auto forces =
-        touch(at_rest(lower),
-              moving(upper, {{3 * i * dt, 4 * i * dt, -.01}}, velocity),
-              rough,
-              i > 0 ? dt : 0,
-              memory);
+        pair_forces(at_rest(lower),
+                    moving(upper, {{3 * i * dt, 4 * i * dt, -.01}}, velocity),
+                    rough,
+                    i > 0 ? dt : 0,
+                    memory);
       force = sum(forces.on_b);
       loss += forces.friction_loss;
       if (i > 0)
@@ -178,15 +178,19 @@ TEST(ContactPair, RubsWithCoulombsForce)
   EXPECT_NEAR(force[1] / force[2], -.5 * 4 / 5, 1e-3);
   // What has been put in along the way is used up but for what the spring and
   // the overlap hold.
-  const auto    last = touch(at_rest(lower),
-                          moving(upper, {{3 * n * dt, 4 * n * dt, -.01}}, {}),
-                          rough,
-                          0,
-                          memory);
+  const auto last =
+    pair_forces(at_rest(lower),
+                moving(upper, {{3 * n * dt, 4 * n * dt, -.01}}, {}),
+                rough,
+                0,
+                memory);
   ContactMemory fresh;
-  const double  at_first =
-    touch(at_rest(lower), moving(upper, {{0, 0, -.01}}, {}), rough, 0, fresh)
-      .energy;
+  const double  at_first = pair_forces(at_rest(lower),
+                                      moving(upper, {{0, 0, -.01}}, {}),
+                                      rough,
+                                      0,
+                                      fresh)
+                            .energy;
   EXPECT_NEAR(loss, work - (last.energy - at_first), .01 * work);
   EXPECT_GT(loss, .9 * work);
 }
@@ -196,11 +200,11 @@ TEST(ContactPair, SticksWithAForceBelowCoulombs)
   const ContactConstants rough = {penalty, .5, 0, 1};
   ContactMemory          memory;
   const auto             shifted = [&](const double shift, const double speed) {
-    return touch(at_rest(lower),
-                 moving(upper, {{shift, 0, -.01}}, {{speed, 0, 0}}),
-                 rough,
-                 1e-6,
-                 memory);
+    return pair_forces(at_rest(lower),
+                       moving(upper, {{shift, 0, -.01}}, {{speed, 0, 0}}),
+                       rough,
+                       1e-6,
+                       memory);
   };
   shifted(0, 0);
   // There and back: the spring gives back what it got.
@@ -225,13 +229,13 @@ TEST(ContactPair, ForgetsOverlapThatHasBecomeLess)
     return overlap(lower, at_depth(depth).positions).potential;
   };
   ContactMemory memory;
-  memory.free_potential = potential(.1);
-  touch(at_rest(lower), at_depth(.06), smooth, 0, memory);
-  EXPECT_EQ(memory.free_potential, potential(.06));
+  memory.initial_potential = potential(.1);
+  pair_forces(at_rest(lower), at_depth(.06), smooth, 0, memory);
+  EXPECT_EQ(memory.initial_potential, potential(.06));
   // In again: as a pair that was born at .06.
   const double free = potential(.06), now = potential(.1);
   const double energy =
-    touch(at_rest(lower), at_depth(.1), smooth, 0, memory).energy;
+    pair_forces(at_rest(lower), at_depth(.1), smooth, 0, memory).energy;
   EXPECT_NEAR(energy / (penalty * std::pow(now - free, 2) / (now + 3 * free)),
               1,
               1e-12);
@@ -270,11 +274,11 @@ TEST(ContactPair, FrictionKeepsTheBalanceOnAnyPath)
           const Vector3<double> shift =
             i > 0 ? place(i * dt) - place((i - 1) * dt) : Vector3<double>{};
           const auto forces =
-            touch(at_rest(lower),
-                  moving(upper, place(i * dt), (1 / dt) * shift),
-                  rough,
-                  i > 0 ? dt : 0,
-                  memory);
+            pair_forces(at_rest(lower),
+                        moving(upper, place(i * dt), (1 / dt) * shift),
+                        rough,
+                        i > 0 ? dt : 0,
+                        memory);
           const Vector3<double> force = sum(forces.on_b);
           work -= .5 * dot(force + before, shift);
           before = force;
@@ -300,8 +304,9 @@ TEST(ContactPair, TellsOfACellThatIsInsideOfAnother)
   for (unsigned int c = 0; c < 4; ++c)
     small[c] = centre + 1e-3 * (upper[c] - upper[0]);
   ContactMemory memory;
-  const auto forces = touch(at_rest(lower), at_rest(small), smooth, 0, memory);
-  EXPECT_TRUE(forces.is_deep);
+  const auto    forces =
+    pair_forces(at_rest(lower), at_rest(small), smooth, 0, memory);
+  EXPECT_TRUE(forces.is_too_deep);
 }
 
 TEST(ContactPair, DampingTakesEnergyAndNeverPulls)
@@ -311,11 +316,13 @@ TEST(ContactPair, DampingTakesEnergyAndNeverPulls)
     {
       const auto    above = moving(upper, {{0, 0, -.01}}, {{0, 0, speed}});
       ContactMemory memory, fresh;
-      touch(at_rest(lower), above, damped, 0, memory);
-      const auto   forces  = touch(at_rest(lower), above, damped, 1e-6, memory);
-      const auto   elastic = touch(at_rest(lower), above, smooth, 1e-6, fresh);
-      const double force   = sum(elastic.on_b)[2];
-      const double added   = sum(forces.on_b)[2] - force;
+      pair_forces(at_rest(lower), above, damped, 0, memory);
+      const auto forces =
+        pair_forces(at_rest(lower), above, damped, 1e-6, memory);
+      const auto elastic =
+        pair_forces(at_rest(lower), above, smooth, 1e-6, fresh);
+      const double force = sum(elastic.on_b)[2];
+      const double added = sum(forces.on_b)[2] - force;
       // -2 zeta sqrt(k m) v, k of flat faces.
       const double stiffness = force * force / (2 * elastic.energy);
       EXPECT_NEAR(added,

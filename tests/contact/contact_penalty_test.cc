@@ -73,7 +73,7 @@ namespace
         {
           ContactMemory       memory;
           const ContactForces pair =
-            touch(motions[0], motions[b], {penalty, 0, 0, 1}, 0, memory);
+            pair_forces(motions[0], motions[b], {penalty, 0, 0, 1}, 0, memory);
           for (unsigned int c = 0; c < 4; ++c)
             {
               result[c] += pair.on_a[c];

@@ -71,7 +71,7 @@ namespace
 
     /** The owner and, of every third cell, one more rank. */
     std::vector<int>
-    viewers(const ContactCell &cell) const
+    subscribers(const ContactCell &cell) const
     {
       std::vector<int> ranks = {cell.owner};
       const int        other =
@@ -85,7 +85,7 @@ namespace
     bool
     is_seen(const ContactCell &cell) const
     {
-      const std::vector<int> ranks = viewers(cell);
+      const std::vector<int> ranks = subscribers(cell);
       return std::count(ranks.begin(), ranks.end(), world().rank()) > 0;
     }
 
@@ -99,8 +99,8 @@ namespace
           {
             const ContactCell &a = all[i], &b = all[j];
             if ((is_seen(a) || is_seen(b)) && !are_bonded(a, b) &&
-                touch(box_around(a.motion.positions, skin / 2),
-                      box_around(b.motion.positions, skin / 2)) &&
+                boxes_overlap(box_around(a.motion.positions, skin / 2),
+                              box_around(b.motion.positions, skin / 2)) &&
                 FacePlanes(a.motion.positions)
                     .distance_to(b.motion.positions) <= skin &&
                 FacePlanes(b.motion.positions)
@@ -118,10 +118,10 @@ namespace
           x = stretch * x + Vector3<double>{{by, -by, 0}};
     }
 
-    Rendezvous::Viewers
-    viewers() const
+    Rendezvous::Subscribers
+    subscribers() const
     {
-      return [this](const ContactCell &cell) { return viewers(cell); };
+      return [this](const ContactCell &cell) { return subscribers(cell); };
     }
 
     std::mt19937             engine;
@@ -155,7 +155,7 @@ TEST(Rendezvous, FindsThePairsOfAllRanks)
     {
       // From a few cells, so that ranks have none, to many of all sizes.
       Cloud      cloud(seed, 1 + seed % 40 * 8, .05 + .3 / (1 + seed % 7));
-      Rendezvous rendezvous(world(), cloud.viewers());
+      Rendezvous rendezvous(world(), cloud.subscribers());
       for (const double stretch : {1., 1., .7, 5.})
         {
           const auto expected = cloud.brute_force();
@@ -183,7 +183,7 @@ TEST(Rendezvous, JoinsPairsThatAreKnown)
               if (cloud.is_seen(a) || cloud.is_seen(b))
                 expected.push_back(all.back());
             }
-      const Rendezvous rendezvous(world(), cloud.viewers());
+      const Rendezvous rendezvous(world(), cloud.subscribers());
       EXPECT_EQ(named(rendezvous.join(cloud.own(), all), cloud), expected);
       EXPECT_FALSE(expected.empty());
     }
@@ -194,7 +194,7 @@ TEST(Rendezvous, RefusesHeapsOnAllRanks)
   Cloud cloud(1, 1000, .1);
   for (ContactCell &cell : cloud.all)
     cell.motion = cloud.all[0].motion;
-  Rendezvous rendezvous(world(), cloud.viewers());
+  Rendezvous rendezvous(world(), cloud.subscribers());
   try
     {
       rendezvous.search(cloud.own(), skin);

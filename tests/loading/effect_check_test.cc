@@ -72,7 +72,7 @@ namespace
     }
 
     std::vector<std::string>
-    doubts() const
+    warnings() const
     {
       return PrescribedMotion(body.topology, boundaries)
         .doubts_of_order(Communicator());
@@ -176,18 +176,18 @@ TEST(IdleLoad, VelocityThatOthersOverrule)
   Block block;
   block.add("first", 2, 2).velocity[0]  = "0";
   block.add("second", 2, 2).velocity[0] = "1";
-  ASSERT_EQ(block.doubts().size(), 1u);
-  EXPECT_EQ(block.doubts()[0],
+  ASSERT_EQ(block.warnings().size(), 1u);
+  EXPECT_EQ(block.warnings()[0],
             "Boundary second / Velocity x: \"1\" has no effect, since all its "
             "nodes belong to boundaries that stand before it in the scene and "
             "prescribe this component as well. Remove one of them, or change "
             "their order.");
   block.boundaries[1].parameters.velocity[0] = "0";
-  EXPECT_TRUE(block.doubts().empty());
+  EXPECT_TRUE(block.warnings().empty());
   block.boundaries[1].parameters.velocity = {{"", "1", ""}};
-  EXPECT_TRUE(block.doubts().empty());
+  EXPECT_TRUE(block.warnings().empty());
   // Only the edge is overruled.
   block.boundaries[1].surface = plane_surface(block.body.discrete, 0, 2);
   block.boundaries[1].parameters.velocity = {{"1", "", ""}};
-  EXPECT_TRUE(block.doubts().empty());
+  EXPECT_TRUE(block.warnings().empty());
 }

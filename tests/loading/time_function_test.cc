@@ -291,8 +291,8 @@ TEST(UnresolvedShare, OfConstantsAndLinesIsNothing)
 TEST(UnresolvedShare, Doubt)
 {
   const std::string pulse = half_sine(2);
-  EXPECT_EQ(TimeFunction(pulse, where).doubt(.1, 1000), "");
-  const std::string found = TimeFunction(pulse, where).doubt(1, 1000);
+  EXPECT_EQ(TimeFunction(pulse, where).warning(.1, 1000), "");
+  const std::string found = TimeFunction(pulse, where).warning(1, 1000);
   EXPECT_EQ(found.substr(0, 120),
             (where + ": \"" + pulse +
              "\" changes too fast for the time step "
@@ -305,15 +305,15 @@ TEST(UnresolvedShare, Doubt)
             std::string::npos);
 
   const TableFile file("t [s],p [Pa]\n0,0\n.25,1\n.5,0\n");
-  EXPECT_EQ(TimeFunction(file.path, where).doubt(1, 1000),
+  EXPECT_EQ(TimeFunction(file.path, where).warning(1, 1000),
             where + ": \"" + file.path +
               "\" changes too fast for the time step of 1 s: straight lines "
               "between its values at the steps miss 100.1 % of its variation. "
               "It acts with its mean over each step, so that its integral is "
               "right; set a smaller \"Time step\" if its course matters.");
   // What is not finite is said when it is met.
-  EXPECT_EQ(TimeFunction("1/(t-0.5)", where).doubt(.1, 10), "");
-  EXPECT_EQ(TimeFunction("sqrt(-1-t)", where).doubt(.1, 10), "");
+  EXPECT_EQ(TimeFunction("1/(t-0.5)", where).warning(.1, 10), "");
+  EXPECT_EQ(TimeFunction("sqrt(-1-t)", where).warning(.1, 10), "");
 }
 
 TEST(TimeTable, MissingFile)

@@ -155,7 +155,7 @@ namespace rift::test
                         {}};
     Topology    &topology = result.topology;
     if (!parted.empty())
-      part_materials(topology, parted);
+      separate_materials(topology, parted);
     result.reference.resize(topology.n_batches(), ReferenceBatch{});
     result.state.resize(topology.n_nodes());
     for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)

@@ -78,7 +78,7 @@ namespace rift
 
   /** Sentences about what may not be meant, for warnings. */
   std::vector<std::string>
-  doubts(const Parameters &parameters);
+  warnings(const Parameters &parameters);
 
   /** Says in a few lines what a scene is, for `rift --validate`. */
   void

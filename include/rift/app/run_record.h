@@ -13,13 +13,13 @@ namespace rift
    * does not cure the imbalance is not repeated at once: the number of
    * checkpoints that it waits for doubles each time.
    */
-  class DivisionPolicy
+  class RepartitionPolicy
   {
   public:
     /** To be asked at each checkpoint.
      * @param is_unbalanced whether ranks have unequal work. */
     bool
-    divides_anew(const bool is_unbalanced)
+    repartitions(const bool is_unbalanced)
     {
       if (!is_unbalanced)
         {
@@ -44,8 +44,8 @@ namespace rift
   /** What a run knows of itself beyond one division of its cells. */
   struct RunRecord
   {
-    StageTimer     timer;
-    DivisionPolicy division;
+    StageTimer        timer;
+    RepartitionPolicy division;
 
     /** Step at which this program has begun to compute; empty before. */
     std::optional<std::uint64_t> first_step;

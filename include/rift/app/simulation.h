@@ -41,13 +41,13 @@ namespace rift
       std::shared_ptr<RunRecord> record       = std::make_shared<RunRecord>());
 
     /** How run() has ended. */
-    enum class End
+    enum class Outcome
     {
       done,
 
       /** At a checkpoint, from which a simulation with a new division of the
        * cells among the ranks is to go on. */
-      divide_anew
+      repartition
     };
 
     /**
@@ -57,7 +57,7 @@ namespace rift
      * @param signals that stop the run; null: none do.
      * @throws Error with ExitCode::stopped_by_signal, after a checkpoint.
      */
-    End
+    Outcome
     run(const StopSignals *signals = nullptr);
 
     /**
@@ -198,7 +198,7 @@ namespace rift
      * @throws RunError on all ranks if something has failed on any.
      */
     void
-    agree();
+    synchronize_status();
 
     /** Throws the first failure of all ranks, if there is any. Collective. */
     void
@@ -239,9 +239,9 @@ namespace rift
 
     std::chrono::steady_clock::time_point last_checkpoint;
 
-    std::uint64_t                         next_agreement         = 0;
-    std::uint64_t                         step_of_last_agreement = 0;
-    std::chrono::steady_clock::time_point last_agreement =
+    std::uint64_t                         next_synchronization         = 0;
+    std::uint64_t                         step_of_last_synchronization = 0;
+    std::chrono::steady_clock::time_point last_synchronization =
       std::chrono::steady_clock::now();
   };
 } // namespace rift

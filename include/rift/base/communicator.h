@@ -158,9 +158,9 @@ namespace rift
      * several. What is no Error becomes one by to_error(). Collective.
      */
     void
-    together(const std::function<void()> &f) const;
+    collectively(const std::function<void()> &f) const;
 
-    /** together(), but only rank 0 calls `f`. Collective. */
+    /** collectively(), but only rank 0 calls `f`. Collective. */
     void
     on_root(const std::function<void()> &f) const;
 

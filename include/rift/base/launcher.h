@@ -11,7 +11,7 @@ namespace rift
    * take itself for the only one and compute the whole scene.
    */
   std::string
-  doubt_about_ranks(int n_ranks);
+  warning_about_ranks(int n_ranks);
 } // namespace rift
 
 #endif

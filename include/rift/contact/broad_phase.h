@@ -18,7 +18,7 @@ namespace rift
 
   /** Whether two boxes have a point in common. */
   inline bool
-  touch(const Box &a, const Box &b)
+  boxes_overlap(const Box &a, const Box &b)
   {
     bool result = true;
     for (unsigned int d = 0; d < 3; ++d)

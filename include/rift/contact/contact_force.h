@@ -170,11 +170,11 @@ namespace rift
 
     /** Makes the members and the pairs that concern this rank. */
     void
-    take(const ContactNeighbourhood &neighbourhood);
+    adopt_pairs(const ContactNeighbourhood &neighbourhood);
 
     /** Asks the owners of cells to tell how they move. */
     void
-    ask_owners();
+    subscribe();
 
     void
     exchange_motions(const State &state);
@@ -201,7 +201,7 @@ namespace rift
 
     std::vector<Member>  members;
     std::vector<Pair>    pairs;
-    std::vector<Partner> listeners, tellers;
+    std::vector<Partner> receivers, senders;
     ContactEnergy        energies;
   };
 } // namespace rift

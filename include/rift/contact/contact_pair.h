@@ -33,14 +33,14 @@ namespace rift
      * Potential, m^3, up to which the overlap has no force: what there was of
      * it when the pair came into being, or the least since.
      */
-    double free_potential = 0;
+    double initial_potential = 0;
 
     /** Elongation, m, and stiffness, N/m, of the spring of friction. */
     Vector3<double> slip{};
     double          stiffness = 0;
 
     /** Force of the damper, N: positive where it parts the cells. */
-    double damper = 0;
+    double damping_force = 0;
   };
 
   /** What a pair does in a step. */
@@ -51,9 +51,9 @@ namespace rift
 
     /** Whether so deep that the potential will soon fall again: the mean of
      * least coordinates over the overlap is above `largest_mean_potential`, or
-     * more than `largest_share` of a cell is inside of the other. Not of pairs
-     * that were born with an overlap. */
-    bool is_deep = false;
+     * more than `largest_volume_fraction` of a cell is inside of the other. Not
+     * of pairs that were born with an overlap. */
+    bool is_too_deep = false;
 
     /** Forces on the corners of both cells, N. */
     std::array<Vector3<double>, 4> on_a{}, on_b{};
@@ -72,7 +72,7 @@ namespace rift
 
   /** Of a cell so deep inside of a larger one that it may be pushed along where
    * the potential of that one is zero. */
-  constexpr double largest_share = .9;
+  constexpr double largest_volume_fraction = .9;
 
   /**
    * Contact of two tetrahedra (doc/theory.md, section 8).
@@ -93,11 +93,11 @@ namespace rift
    * @param time_step since the memory was updated last, s; 0 at the start.
    */
   ContactForces
-  touch(const CellMotion       &a,
-        const CellMotion       &b,
-        const ContactConstants &constants,
-        double                  time_step,
-        ContactMemory          &memory);
+  pair_forces(const CellMotion       &a,
+              const CellMotion       &b,
+              const ContactConstants &constants,
+              double                  time_step,
+              ContactMemory          &memory);
 } // namespace rift
 
 #endif

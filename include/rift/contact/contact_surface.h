@@ -45,7 +45,7 @@ namespace rift
 
     /** The ranks that see a cell of this rank; ascending. */
     std::vector<int>
-    viewers(CellIndex cell) const;
+    subscribers(CellIndex cell) const;
 
   private:
     const Topology           &topology;

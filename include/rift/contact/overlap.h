@@ -26,7 +26,7 @@ namespace rift
     std::array<Vector3<double>, 4> gradient_a{}, gradient_b{};
 
     /** m^3, and over the volume of the smaller one of the two. */
-    double volume = 0, share = 0;
+    double volume = 0, volume_fraction = 0;
 
     /** The centroid of the overlap as means of the corners of A and of B with
      * these weights. */

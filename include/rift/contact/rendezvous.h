@@ -30,9 +30,9 @@ namespace rift
   {
   public:
     /** The ranks that see a cell of this rank, itself included; ascending. */
-    using Viewers = std::function<std::vector<int>(const ContactCell &)>;
+    using Subscribers = std::function<std::vector<int>(const ContactCell &)>;
 
-    Rendezvous(const Communicator &communicator, Viewers viewers);
+    Rendezvous(const Communicator &communicator, Subscribers subscribers);
 
     /**
      * All pairs of cells of which this rank sees one, nearer than the skin and
@@ -61,31 +61,33 @@ namespace rift
 
   private:
     /** Cells of which a rank is told, and who sees them. */
-    struct Guests
+    struct ReceivedCells
     {
       std::vector<ContactCell>      cells;
-      std::vector<std::vector<int>> viewers;
+      std::vector<std::vector<int>> subscribers;
     };
 
-    using Places = std::function<std::vector<int>(const ContactCell &)>;
+    using Destinations = std::function<std::vector<int>(const ContactCell &)>;
 
     void
     divide(const std::vector<ContactCell> &own);
 
-    Guests
-    invite(const std::vector<ContactCell> &own, const Places &places) const;
+    ReceivedCells
+    send_to_space_owners(const std::vector<ContactCell> &own,
+                         const Destinations             &destinations) const;
 
     /** Tells all ranks of the pairs that concern them. */
     ContactNeighbourhood
-    tell(const Guests &guests, const std::vector<BoxPair> &pairs) const;
+    return_pairs(const ReceivedCells        &received,
+                 const std::vector<BoxPair> &pairs) const;
 
     const Communicator &communicator;
-    const Viewers       viewers;
+    const Subscribers   subscribers;
 
     SpaceDivision division;
 
-    /** The largest number of guests in the first search with this division,
-     * and in the last one. */
+    /** The largest number of received cells in the first search with this
+     * division, and in the last one. */
     double largest_number_at_first = 0, largest_number = 0;
   };
 } // namespace rift

@@ -17,7 +17,8 @@ namespace rift
    *
    * @param densities kg/m^3 of each material id of the triangulation.
    * @param parted for each material whether faces between cells of such
-   *   materials are cut from the start; see part_materials(). Empty: none are.
+   *   materials are cut from the start; see separate_materials(). Empty: none
+   *   are.
    */
   Discretization
   discretize(

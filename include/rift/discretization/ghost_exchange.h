@@ -41,8 +41,8 @@ namespace rift
      * Finds who tells whom, and gives the corners of ghost cells the nodes
      * that they have there. Collective.
      *
-     * @param topology as separate_touching_pieces() or part_materials() leaves
-     *   it.
+     * @param topology as separate_touching_pieces() or separate_materials()
+     *   leaves it.
      */
     GhostExchange(const Communicator &communicator, Topology &topology);
 
@@ -110,7 +110,7 @@ namespace rift
     {
       int rank;
 
-      /** Corners that the listener sees, vertex by vertex. */
+      /** Corners that the receiver sees, vertex by vertex. */
       std::vector<CellCorner> corners;
 
       /** Number of the node that each corner has. */
@@ -119,7 +119,7 @@ namespace rift
       /** The nodes on this rank. */
       std::vector<NodeIndex> nodes;
 
-      /** Ascending by vertex; only for listeners. */
+      /** Ascending by vertex; only for receivers. */
       std::vector<VertexCorners> vertices;
 
       std::vector<char> buffer;
@@ -133,7 +133,7 @@ namespace rift
     };
 
     /** An OpeningCorner for a rank that has other face indices. */
-    struct ToldOpening
+    struct OpeningMessage
     {
       GlobalCellIndex minus_cell;
       std::uint16_t   local_face, corner;
@@ -146,35 +146,35 @@ namespace rift
     };
 
     void
-    ask(const Communicator &communicator, const Topology &topology);
+    request_nodes(const Communicator &communicator, const Topology &topology);
 
-    /** Gives numbers to the nodes of a listener's corners at one vertex. */
+    /** Gives numbers to the nodes of a receiver's corners at one vertex. */
     static std::vector<ChangedCorner>
     number_nodes(const Topology      &topology,
-                 Partner             &listener,
+                 Partner             &receiver,
                  const VertexCorners &at_vertex);
 
     /**
-     * Gives a corner here the node that it has on the teller; returns the one
+     * Gives a corner here the node that it has on the sender; returns the one
      * that it had. A number that has not occurred yet means a new node.
      */
     static NodeIndex
-    change_node(Topology &topology, Partner &teller, ChangedCorner changed);
+    change_node(Topology &topology, Partner &sender, ChangedCorner changed);
 
     void
     name_first_nodes(const Communicator &communicator, Topology &topology);
 
-    static std::vector<ToldOpening>
+    static std::vector<OpeningMessage>
     select_openings(const Topology                   &topology,
-                    const Partner                    &listener,
+                    const Partner                    &receiver,
                     const std::vector<OpeningCorner> &openings);
 
     void
-    receive_bytes(Partner &teller) const;
+    receive_bytes(Partner &sender) const;
 
     void
     unpack_values(const char     *values,
-                  const Partner  &teller,
+                  const Partner  &sender,
                   const Topology &topology,
                   State          &state,
                   Activity       &activity) const;
@@ -187,7 +187,7 @@ namespace rift
 
     MPI_Comm             communicator   = MPI_COMM_NULL;
     bool                 has_velocities = false;
-    std::vector<Partner> listeners, tellers;
+    std::vector<Partner> receivers, senders;
   };
 } // namespace rift
 

@@ -110,9 +110,9 @@ namespace rift
     /** Of velocities that the steps do not resolve, and of those that count at
      * no node since boundaries that come first say otherwise. Collective. */
     std::vector<std::string>
-    doubts(const Discretization &body,
-           double                time_step,
-           std::uint64_t         n_steps) const override;
+    warnings(const Discretization &body,
+             double                time_step,
+             std::uint64_t         n_steps) const override;
 
     /** Of velocities that count at no node. Collective. */
     std::vector<std::string>

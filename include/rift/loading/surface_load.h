@@ -40,9 +40,9 @@ namespace rift
                  const IsPrescribed   &is_prescribed) const override;
 
     std::vector<std::string>
-    doubts(const Discretization &body,
-           double                time_step,
-           std::uint64_t         n_steps) const override;
+    warnings(const Discretization &body,
+             double                time_step,
+             std::uint64_t         n_steps) const override;
 
     void
     add_forces(StepContext &step) override

@@ -82,7 +82,7 @@ namespace rift
     /** A sentence for the log if the steps do not see a tenth of the function
      * (see unresolved_share()), else empty. */
     std::string
-    doubt(double time_step, std::uint64_t n_steps) const;
+    warning(double time_step, std::uint64_t n_steps) const;
 
     /** "Boundary loaded / Pressure" */
     const std::string &
@@ -105,12 +105,12 @@ namespace rift
     std::shared_ptr<const TimeTable> table;
   };
 
-  /** Adds what TimeFunction::doubt() says of some functions. */
+  /** Adds what TimeFunction::warning() says of some functions. */
   void
   add_doubts(const std::vector<TimeFunction> &functions,
              double                           time_step,
              std::uint64_t                    n_steps,
-             std::vector<std::string>        &doubts);
+             std::vector<std::string>        &warnings);
 } // namespace rift
 
 #endif

@@ -132,7 +132,7 @@ namespace rift
 
     /** Sentences about values that may be in a wrong unit, for warnings. */
     std::vector<std::string>
-    doubts() const;
+    warnings() const;
 
     /**
      * Throws ParameterError if the material may break and one of its strengths

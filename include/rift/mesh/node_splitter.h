@@ -62,7 +62,7 @@ namespace rift
    * @param parted for each material.
    */
   void
-  part_materials(Topology &topology, const std::vector<bool> &parted);
+  separate_materials(Topology &topology, const std::vector<bool> &parted);
 } // namespace rift
 
 #endif

@@ -103,9 +103,9 @@ namespace rift
     /** Sentences for the log, on rank 0, about entries of the scene that may
      * not do what they seem to, in this number of steps. Collective. */
     virtual std::vector<std::string>
-    doubts(const Discretization &,
-           double /*time_step*/,
-           std::uint64_t /*n_steps*/) const
+    warnings(const Discretization &,
+             double /*time_step*/,
+             std::uint64_t /*n_steps*/) const
     {
       return {};
     }

@@ -50,9 +50,9 @@ namespace rift
     }
 
     std::vector<std::string>
-    doubts(const Discretization &body,
-           double                time_step,
-           std::uint64_t         n_steps) const override;
+    warnings(const Discretization &body,
+             double                time_step,
+             std::uint64_t         n_steps) const override;
 
     void
     start_velocities(StepContext &step) override
@@ -170,7 +170,7 @@ namespace rift
 
     /** Collective. */
     void
-    weigh(const State &state);
+    compute_mass_properties(const State &state);
 
     /** Makes the sums of all bodies. */
     void

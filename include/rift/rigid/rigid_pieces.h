@@ -31,7 +31,7 @@ namespace rift
 
   /** The pieces of rank 0, on all ranks. Collective. */
   RigidPieces
-  share(const RigidPieces &pieces, const Communicator &communicator);
+  broadcast_pieces(const RigidPieces &pieces, const Communicator &communicator);
 } // namespace rift
 
 #endif

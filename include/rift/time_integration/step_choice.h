@@ -35,7 +35,7 @@ namespace rift
 
   /** What may not be meant about the choice, for warnings. */
   std::vector<std::string>
-  doubts(const StepChoice &choice, const CriticalTimeStep &critical);
+  warnings(const StepChoice &choice, const CriticalTimeStep &critical);
 } // namespace rift
 
 #endif
