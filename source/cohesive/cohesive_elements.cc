@@ -29,14 +29,14 @@ namespace rift
                          CohesiveFaces            &faces,
                          const Topology           &topology,
                          const FaceStrengths      &strengths,
-                         FaceSlope                 slope)
+                         PenaltyStiffness          stiffness_of)
   {
     auto elements = make_elements(CohesiveLaws(),
                                   parameters,
                                   faces,
                                   topology,
                                   strengths,
-                                  slope);
+                                  stiffness_of);
     if (!elements)
       throw std::logic_error("no cohesive law \"" + parameters.law +
                              "\" for this model");

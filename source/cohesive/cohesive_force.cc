@@ -10,7 +10,7 @@ namespace rift
                                const ReferenceCellData  &reference,
                                const FaceStrengths      &strengths,
                                const CohesiveParameters &parameters,
-                               FaceSlope                 slope)
+                               PenaltyStiffness          stiffness_of)
     : topology(topology)
     , reference(reference)
     , strengths(strengths)
@@ -20,7 +20,7 @@ namespace rift
                                       cohesive_faces,
                                       topology,
                                       strengths,
-                                      std::move(slope)))
+                                      std::move(stiffness_of)))
     , partings(topology, reference)
   {
   }

@@ -35,12 +35,12 @@ namespace rift
         }
     else
       limits.added_frequency_squared =
-        [slopes = PenaltySlopes(body.topology,
-                                body.reference,
-                                body.state,
-                                parameters.penalty,
-                                materials,
-                                stiffnesses)](const CellIndex cell) {
+        [slopes = IntrinsicPenalty(body.topology,
+                                   body.reference,
+                                   body.state,
+                                   parameters.penalty,
+                                   materials,
+                                   stiffnesses)](const CellIndex cell) {
           return slopes.frequency_squared(cell);
         };
   }
@@ -48,18 +48,18 @@ namespace rift
   void
   Fracture::prepare(Discretization &body, const StepBound &bound)
   {
-    const FaceSlope slope =
-      is_extrinsic() ? slopes_that_the_step_allows(body.topology,
-                                                   body.reference,
-                                                   stiffnesses,
-                                                   body.densities,
-                                                   bound.frequency_squared) :
-                       FaceSlope(PenaltySlopes(body.topology,
-                                               body.reference,
-                                               body.state,
-                                               parameters.penalty,
-                                               materials,
-                                               stiffnesses));
+    const PenaltyStiffness stiffness_of =
+      is_extrinsic() ? stable_penalty_stiffness(body.topology,
+                                                body.reference,
+                                                stiffnesses,
+                                                body.densities,
+                                                bound.frequency_squared) :
+                       PenaltyStiffness(IntrinsicPenalty(body.topology,
+                                                         body.reference,
+                                                         body.state,
+                                                         parameters.penalty,
+                                                         materials,
+                                                         stiffnesses));
     strengths.emplace(body.topology,
                       body.reference,
                       materials,

@@ -32,16 +32,17 @@ namespace rift::test
                             std::vector<bool>()))
         , activity(body.topology)
         , strengths(body.topology, body.reference, {granite()}, {})
-        , force(body.topology,
-                body.reference,
-                strengths,
-                parameters_of(model),
-                PenaltySlopes(body.topology,
-                              body.reference,
-                              body.state,
-                              {10, true},
-                              {granite()},
-                              {stiffness_matrix(make_elasticity(granite()))}))
+        , force(
+            body.topology,
+            body.reference,
+            strengths,
+            parameters_of(model),
+            IntrinsicPenalty(body.topology,
+                             body.reference,
+                             body.state,
+                             {10, true},
+                             {granite()},
+                             {stiffness_matrix(make_elasticity(granite()))}))
       {
         if (model == CohesiveModel::intrinsic)
           {

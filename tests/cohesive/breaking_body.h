@@ -142,11 +142,11 @@ namespace rift::test
               discrete.reference,
               strengths,
               extrinsic(parameters),
-              slopes_that_the_step_allows(topology,
-                                          discrete.reference,
-                                          stiffnesses_of(materials),
-                                          densities_of(materials),
-                                          critical.frequency_squared))
+              stable_penalty_stiffness(topology,
+                                       discrete.reference,
+                                       stiffnesses_of(materials),
+                                       densities_of(materials),
+                                       critical.frequency_squared))
     {
       internal_force.watch(strengths.stress_bounds());
       activity.wake_all(topology);

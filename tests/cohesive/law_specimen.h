@@ -12,8 +12,8 @@ namespace rift::test
   const FaceStrength strength =
     {15e6, 36.7e6, std::tan(.8727), std::tan(.8727), 400, 900};
 
-  /** A slope at which no separation is too short for the softening. */
-  constexpr double slope = 2e13;
+  /** A stiffness at which no separation is too short for the softening. */
+  constexpr double stiffness = 2e13;
 
   /** A point that is moved step by step; work is that of the trapezoidal rule,
    * as central differences do it, J/m^2. */
@@ -22,10 +22,10 @@ namespace rift::test
   {
     using Law = AnyLaw;
 
-    explicit LawSpecimen(const double        slope    = test::slope,
-                         const FaceStrength &strength = test::strength)
+    explicit LawSpecimen(const double        stiffness = test::stiffness,
+                         const FaceStrength &strength  = test::strength)
       : face_strength(strength)
-      , constants(Law::make_constants(strength, slope))
+      , constants(Law::make_constants(strength, stiffness))
       , point(Law::make_point(strength, constants))
     {
     }
@@ -93,7 +93,7 @@ namespace rift::test
             const double peak,
             const double part_of_fracture = StraightBranch::part_of_fracture)
   {
-    return (energy - part_of_fracture * peak * peak / slope) /
+    return (energy - part_of_fracture * peak * peak / stiffness) /
            (Softening::integral * peak);
   }
 

@@ -25,7 +25,7 @@ namespace
          const int     n_legs)
   {
     std::uniform_real_distribution<double> value(-1, 1);
-    const double short_step = .02 * strength.tensile_strength / slope;
+    const double short_step = .02 * strength.tensile_strength / stiffness;
     for (int leg = 0; leg < n_legs; ++leg)
       {
         const Vector target =
@@ -63,7 +63,7 @@ TEST(MohrCoulomb, WhatNodesTransmittedDoesNotChangeTheEnergy)
       Specimen     opening;
       const double t    = share * strength.tensile_strength;
       const double gift = opening.hold({{t, 0, 0}});
-      EXPECT_NEAR(gift, .5 * t * t / slope, 1e-12 * gift);
+      EXPECT_NEAR(gift, .5 * t * t / stiffness, 1e-12 * gift);
       EXPECT_EQ(opening.point.traction[0], t);
       opening.go_to({{1.2 * full_opening, 0, 0}}, 20000);
       expect_energy(opening, strength.fracture_energy_1);
@@ -90,15 +90,17 @@ TEST(MohrCoulomb, WhatNodesTransmittedUnderPressureIsSharedOut)
       const double gift     = specimen.hold({{-pressure, shear, 0}});
       const double debt     = specimen.point.debt;
       EXPECT_NEAR(gift,
-                  (std::pow(pressure, 2) + std::pow(shear, 2)) / (2 * slope),
+                  (std::pow(pressure, 2) + std::pow(shear, 2)) /
+                    (2 * stiffness),
                   1e-12 * gift);
       EXPECT_NEAR(debt,
                   (std::pow(pressure, 2) + std::pow(shear, 2) -
                    cohesion * std::max(cohesion - pressure, 0.)) /
-                    (2 * slope),
+                    (2 * stiffness),
                   1e-12 * gift);
       const auto press = [&] {
-        specimen.step_to({{specimen.point.offset[0] - pressure / slope, 0, 0}});
+        specimen.step_to(
+          {{specimen.point.offset[0] - pressure / stiffness, 0, 0}});
       };
       for (unsigned int i = 0; i < 3000; ++i)
         {
@@ -119,16 +121,17 @@ TEST(MohrCoulomb, WhatNodesTransmittedUnderPressureIsSharedOut)
                   1e-3 * strength.fracture_energy_2);
       // Of the elastic shear, friction times cohesion over k goes to friction.
       EXPECT_NEAR(specimen.friction,
-                  friction * (slip + cohesion / slope),
+                  friction * (slip + cohesion / stiffness),
                   1e-3 * friction * slip);
       EXPECT_NEAR(specimen.work,
                   specimen.fracture + specimen.friction - specimen.given +
                     specimen.elastic_energy() - specimen.point.debt,
                   1e-9 * specimen.work);
       // Without any load, nothing has been made.
-      specimen.go_to(
-        {{specimen.point.offset[0], specimen.jump[1] - friction / slope, 0}},
-        1000);
+      specimen.go_to({{specimen.point.offset[0],
+                       specimen.jump[1] - friction / stiffness,
+                       0}},
+                     1000);
       EXPECT_NEAR(specimen.work,
                   specimen.fracture + specimen.friction - specimen.given,
                   1e-6 * specimen.work);
@@ -159,9 +162,11 @@ TEST(MohrCoulomb, SlidingTakesItsEnergyWhateverItStartedWith)
                 std::min(specimen.shear(),
                          .5 * strength.cohesion + strength.tan_friction_angle *
                                                     std::min(first, later));
-              specimen.go_to({{0, (shear - specimen.shear()) / slope, 0}}, 100);
-              specimen.go_to({{(first - later) / slope, specimen.jump[1], 0}},
+              specimen.go_to({{0, (shear - specimen.shear()) / stiffness, 0}},
                              100);
+              specimen.go_to(
+                {{(first - later) / stiffness, specimen.jump[1], 0}},
+                100);
               specimen.hold({{0, 1e3, 0}});
               specimen.point.debt = 0;
             }
@@ -182,11 +187,11 @@ TEST(MohrCoulomb, PressureChangesByATenthPerStepAtMost)
   Specimen specimen;
   specimen.hold({{-60e6, 0, 0}});
   for (unsigned int i = 0; i < 3000; ++i)
-    specimen.step_to({{specimen.point.offset[0] - 60e6 / slope, 0, 0}});
+    specimen.step_to({{specimen.point.offset[0] - 60e6 / stiffness, 0, 0}});
   specimen.hold({{61e6, 0, 0}});
   EXPECT_LT(specimen.point.debt, 0);
   const double light = 1e3;
-  specimen.step_to({{specimen.point.offset[0] - light / slope, 0, 0}});
+  specimen.step_to({{specimen.point.offset[0] - light / stiffness, 0, 0}});
   EXPECT_GE(specimen.point.traction[0], -(1 + repayment) * light);
   EXPECT_LT(specimen.point.traction[0], -light);
 
@@ -202,7 +207,7 @@ TEST(MohrCoulomb, WeakenedFaceTakesItsFractureEnergies)
 {
   const FaceStrength weak = strength.times(.4);
   EXPECT_EQ(weak.residual_friction, .4 * strength.tan_friction_angle);
-  Specimen opening(slope, weak), sliding(slope, weak);
+  Specimen opening(stiffness, weak), sliding(stiffness, weak);
   opening.go_to({{2.6 * full_opening, 0, 0}}, 40000);
   expect_energy(opening, strength.fracture_energy_1);
   sliding.go_to({{0, 2.6 * full_slip, 0}}, 40000);
@@ -218,9 +223,9 @@ TEST(MohrCoulomb, MixedModeHasTheClosedForm)
   for (const double angle : {.2, .6, M_PI / 4, 1., 1.4})
     {
       Specimen     specimen;
-      const Vector peak = {{strength.tensile_strength / slope,
-                            .6 * strength.cohesion / slope,
-                            .8 * strength.cohesion / slope}};
+      const Vector peak = {{strength.tensile_strength / stiffness,
+                            .6 * strength.cohesion / stiffness,
+                            .8 * strength.cohesion / stiffness}};
       specimen.go_to(peak, 100);
       const double opening =
         full_jump(strength.fracture_energy_1, strength.tensile_strength);
@@ -248,7 +253,7 @@ TEST(MohrCoulomb, MixedModeHasTheClosedForm)
       const double normal = strength.tensile_strength;
       const double shear  = strength.cohesion;
       expect_energy(specimen,
-                    (normal * normal + shear * shear) / (2 * slope) +
+                    (normal * normal + shear * shear) / (2 * stiffness) +
                       Softening::integral *
                         (normal * opening * std::cos(angle) +
                          shear * slip * std::sin(angle)));
@@ -261,7 +266,7 @@ TEST(MohrCoulomb, StraightMixedPathHasTheClosedFormWhenStiff)
 {
   for (const double angle : {.2, .7, 1.3})
     {
-      Specimen specimen(2000 * slope);
+      Specimen specimen(2000 * stiffness);
       specimen.go_to({{1.01 * full_opening * std::cos(angle),
                        1.01 * full_slip * std::sin(angle),
                        0}},

@@ -15,13 +15,13 @@ TEST(MohrCoulomb, UnloadingAndReloadingFollowTheSlope)
       const Vector jump = specimen.jump, traction = specimen.point.traction;
       const double softening = specimen.point.softening;
       const double fracture  = specimen.fracture;
-      const double back      = .5 * traction[0] / slope;
+      const double back      = .5 * traction[0] / stiffness;
       for (const double way : {.25, 1., .5, 0.})
         {
           specimen.step_to(jump - Vector{{way * back, way * back, 0}});
           for (unsigned int d = 0; d < 2; ++d)
             EXPECT_NEAR(specimen.point.traction[d],
-                        traction[d] - slope * way * back,
+                        traction[d] - stiffness * way * back,
                         1e-12 * strength.cohesion);
         }
       EXPECT_EQ(specimen.fracture, fracture);
@@ -67,16 +67,16 @@ TEST(MohrCoulomb, ExcessFallsToTheStrength)
 
   // The envelope falls by k/3 of the irreversible opening, which is what the
   // whole opening and the falling elastic part add up to: together by k/2.
-  const double small = 1e-3 * excess / slope;
+  const double small = 1e-3 * excess / stiffness;
   specimen.step_to({{small, 0, 0}});
   EXPECT_NEAR(
     (strength.tensile_strength + excess - specimen.point.traction[0]) / small,
-    slope / 2,
-    1e-3 * slope);
+    stiffness / 2,
+    1e-3 * stiffness);
   double last = specimen.point.traction[0];
   for (unsigned int i = 1; i <= 100; ++i)
     {
-      specimen.step_to({{i * .021 * excess / slope, 0, 0}});
+      specimen.step_to({{i * .021 * excess / stiffness, 0, 0}});
       EXPECT_LT(specimen.point.traction[0], last);
       last = specimen.point.traction[0];
     }
@@ -86,7 +86,7 @@ TEST(MohrCoulomb, ExcessFallsToTheStrength)
   Specimen sliding;
   sliding.hold({{0, 0, -1.2 * strength.cohesion}});
   EXPECT_NEAR(sliding.point.shear_excess, .2 * strength.cohesion, 1e-6);
-  sliding.go_to({{0, 0, -.5 * strength.cohesion / slope}}, 100);
+  sliding.go_to({{0, 0, -.5 * strength.cohesion / stiffness}}, 100);
   EXPECT_EQ(sliding.point.shear_excess, 0);
   EXPECT_LE(sliding.shear(), strength.cohesion);
 }
@@ -115,7 +115,7 @@ TEST(MohrCoulomb, FrictionDoesNotFadeWithDamage)
       Specimen specimen;
       specimen.go_to({{share * full_opening, 0, 0}}, 5000);
       const double f = specimen.point.softening;
-      specimen.go_to({{specimen.point.offset[0] - pressure / slope, 0, 0}},
+      specimen.go_to({{specimen.point.offset[0] - pressure / stiffness, 0, 0}},
                      1000);
       EXPECT_NEAR(specimen.point.traction[0], -pressure, 1e-6 * pressure);
       EXPECT_EQ(specimen.point.softening, f);
@@ -123,7 +123,7 @@ TEST(MohrCoulomb, FrictionDoesNotFadeWithDamage)
       // Just until it slides: more would soften the cohesion.
       specimen.go_to(
         {{specimen.jump[0],
-          (f * strength.cohesion + tan * pressure) / slope * 1.0001,
+          (f * strength.cohesion + tan * pressure) / stiffness * 1.0001,
           0}},
         100000);
       EXPECT_NEAR(specimen.shear(),
@@ -143,7 +143,8 @@ TEST(MohrCoulomb, FrictionDoesNotFadeWithDamage)
       specimen.go_to({{specimen.jump[0], from - 2 * full_slip, 0}}, 10000);
       // Back: first the elastic branch is turned round.
       EXPECT_NEAR(specimen.friction - before,
-                  tan * pressure * (2 * full_slip - 2 * tan * pressure / slope),
+                  tan * pressure *
+                    (2 * full_slip - 2 * tan * pressure / stiffness),
                   1e-3 * tan * pressure * full_slip);
     }
 }
@@ -159,11 +160,12 @@ TEST(MohrCoulomb, FrictionFadesToTheResidual)
       Specimen specimen;
       specimen.constants.residual_friction = residual;
       const double fading = strength.tan_friction_angle - residual;
-      specimen.go_to({{-pressure / slope, 0, 0}}, 10);
+      specimen.go_to({{-pressure / stiffness, 0, 0}}, 10);
       double least_softening = 1;
       for (unsigned int i = 1; i <= 40000; ++i)
         {
-          specimen.step_to({{-pressure / slope, i * 1.5e-4 * full_slip, 0}});
+          specimen.step_to(
+            {{-pressure / stiffness, i * 1.5e-4 * full_slip, 0}});
           const auto &p     = specimen.point;
           least_softening   = std::min(least_softening, p.softening);
           const double peak = p.softening * cohesion +
@@ -180,13 +182,13 @@ TEST(MohrCoulomb, FrictionFadesToTheResidual)
       const double slip = specimen.point.offset[1];
       const double part =
         Softening::integral * full_jump(strength.fracture_energy_2, cohesion) +
-        .5 * (cohesion + fading * pressure) / slope;
+        .5 * (cohesion + fading * pressure) / stiffness;
       EXPECT_NEAR(specimen.fracture, cohesion * part, 1e-3 * cohesion * part);
       const double friction = pressure * (residual * slip + fading * part);
       EXPECT_NEAR(specimen.friction, friction, 1e-3 * friction);
-      EXPECT_NEAR(specimen.work - .5 * pressure * pressure / slope,
+      EXPECT_NEAR(specimen.work - .5 * pressure * pressure / stiffness,
                   specimen.fracture + specimen.friction +
-                    .5 * std::pow(residual * pressure, 2) / slope,
+                    .5 * std::pow(residual * pressure, 2) / stiffness,
                   1e-9 * specimen.work);
     }
 }
@@ -205,8 +207,8 @@ TEST(MohrCoulomb, FailedPointClosesWhereItWasCut)
     {
       specimen.step_to({{-overlap, .3 * full_slip, 0}});
       EXPECT_NEAR(specimen.point.traction[0],
-                  -slope * overlap,
-                  1e-12 * slope * overlap);
+                  -stiffness * overlap,
+                  1e-12 * stiffness * overlap);
     }
   specimen.step_to({{1e-12, .3 * full_slip, 0}});
   EXPECT_EQ(specimen.point.traction[0], 0);
@@ -223,7 +225,7 @@ TEST(MohrCoulomb, LanesAreLikeNumbers)
     {
       numbers[l].hold({{8e6 * l - 24e6, 1e6 * l, 5e6}});
       const auto &p                          = numbers[l].point;
-      constants.stiffness[l]                 = slope;
+      constants.stiffness[l]                 = stiffness;
       constants.tensile_strength[l]          = strength.tensile_strength;
       constants.tan_friction_angle[l]        = strength.tan_friction_angle;
       constants.residual_friction[l]         = .3;

@@ -85,12 +85,12 @@ namespace
       return rate;
     }
 
-    DiscreteBody  body;
-    Activity      activity;
-    FaceStrengths strengths;
-    PenaltySlopes slopes;
-    InternalForce internal_force;
-    CohesiveForce force;
+    DiscreteBody     body;
+    Activity         activity;
+    FaceStrengths    strengths;
+    IntrinsicPenalty slopes;
+    InternalForce    internal_force;
+    CohesiveForce    force;
   };
 } // namespace
 
@@ -130,20 +130,20 @@ TEST(Penalty, BetweenTwoMaterials)
         const DiscreteBody body = discretize(box, {2641, 7850}, {});
         const auto materials    = steel_first ? std::vector{steel, granite()} :
                                                 std::vector{granite(), steel};
-        const PenaltySlopes both(body.topology,
-                                 body.reference,
-                                 body.state,
-                                 {10, true},
-                                 materials,
-                                 stiffnesses_of(materials));
-        const PenaltySlopes unit(body.topology,
-                                 body.reference,
-                                 body.state,
-                                 {1, false},
-                                 {granite(), granite()},
-                                 stiffnesses_of(materials));
-        const std::uint16_t of_steel = steel_first ? 0 : 1;
-        unsigned int        n_mixed  = 0;
+        const IntrinsicPenalty both(body.topology,
+                                    body.reference,
+                                    body.state,
+                                    {10, true},
+                                    materials,
+                                    stiffnesses_of(materials));
+        const IntrinsicPenalty unit(body.topology,
+                                    body.reference,
+                                    body.state,
+                                    {1, false},
+                                    {granite(), granite()},
+                                    stiffnesses_of(materials));
+        const std::uint16_t    of_steel = steel_first ? 0 : 1;
+        unsigned int           n_mixed  = 0;
         for (FaceIndex face = 0; face < body.topology.faces.size(); ++face)
           {
             unsigned int n_steel = 0;

@@ -12,8 +12,8 @@ namespace
 {
   using Intrinsic = BranchSpecimen<ParabolicBranch>;
 
-  const double peak_opening = 2 * strength.tensile_strength / slope;
-  const double peak_slip    = 2 * strength.cohesion / slope;
+  const double peak_opening = 2 * strength.tensile_strength / stiffness;
+  const double peak_slip    = 2 * strength.cohesion / stiffness;
 
   double
   parabola(const double x)
@@ -45,7 +45,7 @@ TEST(RisingBranch, ShearRisesToCohesionAndFriction)
       const double friction = strength.tan_friction_angle * pressure;
       Intrinsic    specimen;
       const auto   expect_shear = [&](const double slip, const double shear) {
-        specimen.step_to({{-pressure / slope, .6 * slip, -.8 * slip}});
+        specimen.step_to({{-pressure / stiffness, .6 * slip, -.8 * slip}});
         EXPECT_NEAR(specimen.point.traction[1], .6 * shear, 1e-9 * shear);
         EXPECT_NEAR(specimen.point.traction[2], -.8 * shear, 1e-9 * shear);
         EXPECT_EQ(specimen.point.softening, 1);
@@ -53,11 +53,12 @@ TEST(RisingBranch, ShearRisesToCohesionAndFriction)
       for (const double x : {1e-4, .1, .5, .99})
         expect_shear(x * peak_slip, strength.cohesion * parabola(x));
       if (pressure > 0)
-        expect_shear(peak_slip + .9 * friction / slope,
+        expect_shear(peak_slip + .9 * friction / stiffness,
                      strength.cohesion + .9 * friction);
-      specimen.step_to({{-pressure / slope,
-                         .6 * (peak_slip + 1.2 * friction / slope + 1e-7),
-                         -.8 * (peak_slip + 1.2 * friction / slope + 1e-7)}});
+      specimen.step_to(
+        {{-pressure / stiffness,
+          .6 * (peak_slip + 1.2 * friction / stiffness + 1e-7),
+          -.8 * (peak_slip + 1.2 * friction / stiffness + 1e-7)}});
       EXPECT_LT(specimen.point.softening, 1);
       EXPECT_NEAR(specimen.shear(),
                   specimen.point.softening * strength.cohesion + friction,
@@ -119,11 +120,11 @@ TEST(RisingBranch, UnloadingFollowsTheBranchThatIsLeft)
   EXPECT_LT(peak, .6 * strength.tensile_strength);
   for (const double x : {.9, .2, .7, 0.})
     {
-      specimen.step_to({{jump - (1 - x) * 2 * peak / slope, 0, 0}});
+      specimen.step_to({{jump - (1 - x) * 2 * peak / stiffness, 0, 0}});
       EXPECT_NEAR(specimen.point.traction[0], peak * parabola(x), 1e-6 * peak);
     }
   specimen.step_to({{specimen.jump[0] - 1e-8, 0, 0}});
-  EXPECT_NEAR(specimen.point.traction[0], -slope * 1e-8, 1e-6 * peak);
+  EXPECT_NEAR(specimen.point.traction[0], -stiffness * 1e-8, 1e-6 * peak);
   EXPECT_EQ(specimen.fracture, fracture);
 }
 
@@ -162,7 +163,7 @@ TEST(RisingBranch, ElasticCyclesUnderChangingPressureGiveNothing)
   for (const double slip : {.5 * peak_slip, 1.2 * peak_slip})
     {
       Intrinsic    specimen;
-      const double low = -20e6 / slope, high = -100e6 / slope;
+      const double low = -20e6 / stiffness, high = -100e6 / stiffness;
       specimen.go_to({{low, 0, 0}}, 1000);
       const double start = specimen.work;
       specimen.go_to({{low, slip, 0}}, 10000);
@@ -179,11 +180,11 @@ TEST(RisingBranch, EnergyOfTinyTractionsIsThatOfTheStartOfTheBranch)
   for (const double share : {1e-20, 1e-8})
     {
       Intrinsic    specimen;
-      const double jump = share * strength.tensile_strength / slope;
+      const double jump = share * strength.tensile_strength / stiffness;
       specimen.step_to({{jump, 0, 0}});
       EXPECT_NEAR(specimen.elastic_energy(),
-                  .5 * slope * jump * jump,
-                  1e-7 * slope * jump * jump);
+                  .5 * stiffness * jump * jump,
+                  1e-7 * stiffness * jump * jump);
     }
 }
 
@@ -192,7 +193,7 @@ TEST(RisingBranch, AnIntactPointNeedsNoMemory)
   std::mt19937                           random(12);
   std::uniform_real_distribution<double> value(-1, 1);
   const MohrCoulomb<ParabolicBranch>     law;
-  const auto   constants = law.make_constants(strength, slope);
+  const auto   constants = law.make_constants(strength, stiffness);
   unsigned int n_yields  = 0;
   for (unsigned int i = 0; i < 10000; ++i)
     {

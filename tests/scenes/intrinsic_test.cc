@@ -3,7 +3,7 @@
 #include "../temporary_directory.h"
 
 #include <rift/app/simulation.h>
-#include <rift/cohesive/face_slopes.h>
+#include <rift/cohesive/penalty_stiffness.h>
 
 #include <gtest/gtest.h>
 

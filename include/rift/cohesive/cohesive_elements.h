@@ -5,8 +5,8 @@
 #include <rift/base/plain_bytes.h>
 #include <rift/cohesive/cohesive_faces.h>
 #include <rift/cohesive/cohesive_parameters.h>
-#include <rift/cohesive/face_slopes.h>
 #include <rift/cohesive/face_strengths.h>
+#include <rift/cohesive/penalty_stiffness.h>
 #include <rift/discretization/ghost_exchange.h>
 
 #include <map>
@@ -145,7 +145,7 @@ namespace rift
                          CohesiveFaces            &faces,
                          const Topology           &topology,
                          const FaceStrengths      &strengths,
-                         FaceSlope                 slope);
+                         PenaltyStiffness          stiffness_of);
 } // namespace rift
 
 #endif

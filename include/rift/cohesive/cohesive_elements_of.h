@@ -27,7 +27,7 @@ namespace rift
     CohesiveElementsOf(CohesiveFaces       &faces,
                        const Topology      &topology,
                        const FaceStrengths &strengths,
-                       FaceSlope            slope);
+                       PenaltyStiffness     stiffness_of);
 
     void
     take_in_new_faces() override;
@@ -189,12 +189,12 @@ namespace rift
     Simd
     owed_energy(std::size_t batch) const;
 
-    CohesiveFaces       &faces;
-    const Topology      &topology;
-    const FaceStrengths &strengths;
-    const FaceSlope      slope;
-    const Law            law{};
-    const FaceQuadrature quadrature;
+    CohesiveFaces         &faces;
+    const Topology        &topology;
+    const FaceStrengths   &strengths;
+    const PenaltyStiffness stiffness_of;
+    const Law              law{};
+    const FaceQuadrature   quadrature;
 
     /** Number of faces that have been taken in. */
     std::size_t n_known_faces = 0;

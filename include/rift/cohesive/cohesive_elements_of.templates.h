@@ -12,11 +12,11 @@ namespace rift
   CohesiveElementsOf<Law>::CohesiveElementsOf(CohesiveFaces       &faces,
                                               const Topology      &topology,
                                               const FaceStrengths &strengths,
-                                              FaceSlope            slope)
+                                              PenaltyStiffness     stiffness_of)
     : faces(faces)
     , topology(topology)
     , strengths(strengths)
-    , slope(std::move(slope))
+    , stiffness_of(std::move(stiffness_of))
   {
   }
 
@@ -29,7 +29,8 @@ namespace rift
     for (std::size_t i = first; i < n_known_faces; ++i)
       {
         const Constants constants =
-          Law::make_constants(strength_of(i), slope(faces.infos[i].face));
+          Law::make_constants(strength_of(i),
+                              stiffness_of(faces.infos[i].face));
         // Lanes without a face are like the first one, but have no area.
         if (i % batch_size == 0)
           {

@@ -44,13 +44,13 @@ namespace rift
      * @param parameters the model, the law and the least share of its strength
      *   with which a face may begin to open; faces that bear less than all of
      *   it then are as weak as that (doc/theory.md, eq. 11c).
-     * @param slope of the elastic branches.
+     * @param stiffness_of a face: that of its elastic branch.
      */
     CohesiveForce(Topology                 &topology,
                   const ReferenceCellData  &reference,
                   const FaceStrengths      &strengths,
                   const CohesiveParameters &parameters,
-                  FaceSlope                 slope);
+                  PenaltyStiffness          stiffness_of);
 
     /**
      * Intrinsic model: gives all faces that have been cut their elements. To be

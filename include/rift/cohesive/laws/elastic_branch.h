@@ -7,7 +7,7 @@
 namespace rift
 {
   // How the traction of a cohesive face rises to its strength. `Trial` is the
-  // elastic jump times the slope k at the start, Pa: the traction if the branch
+  // elastic jump times the stiffness k at the start, Pa: the traction if the branch
   // was straight and endless; its peak is the strength that is left.
 
   /**
@@ -33,7 +33,7 @@ namespace rift
   /**
    * The rising branch of the intrinsic model: a parabola with its peak at the
    * jump 2 peak / k (doc/theory.md, eq. 14b). Shear that friction holds above
-   * the peak goes on with the slope k.
+   * the peak goes on with the stiffness k.
    */
   struct ParabolicBranch
   {

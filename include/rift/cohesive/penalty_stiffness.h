@@ -1,5 +1,5 @@
-#ifndef rift_cohesive_face_slopes_h
-#define rift_cohesive_face_slopes_h
+#ifndef rift_cohesive_penalty_stiffness_h
+#define rift_cohesive_penalty_stiffness_h
 
 #include <rift/cohesive/cohesive_parameters.h>
 #include <rift/discretization/reference_cell_data.h>
@@ -13,7 +13,7 @@
 namespace rift
 {
   /** Slope of the elastic branch of an interior face, Pa/m. */
-  using FaceSlope = std::function<double(FaceIndex)>;
+  using PenaltyStiffness = std::function<double(FaceIndex)>;
 
   /**
    * The slopes of the extrinsic model: as stiff as the time step allows
@@ -22,28 +22,28 @@ namespace rift
    * @param frequency_limit square of the frequency up to which the elastic
    *   branches may take a loose cell, 1/s^2.
    */
-  FaceSlope
-  slopes_that_the_step_allows(const Topology              &topology,
-                              const ReferenceCellData     &reference,
-                              std::vector<StiffnessMatrix> stiffnesses,
-                              std::vector<double>          densities,
-                              double                       frequency_limit);
+  PenaltyStiffness
+  stable_penalty_stiffness(const Topology              &topology,
+                           const ReferenceCellData     &reference,
+                           std::vector<StiffnessMatrix> stiffnesses,
+                           std::vector<double>          densities,
+                           double                       frequency_limit);
 
   /**
    * The slopes of the intrinsic model: the penalty over the shortest edge of
    * the face (doc/theory.md, eq. 14b). Where the penalty is a multiple of
    * Young's modulus, the softer side counts.
    */
-  class PenaltySlopes
+  class IntrinsicPenalty
   {
   public:
     /** @param stiffnesses of each material. */
-    PenaltySlopes(const Topology                        &topology,
-                  const ReferenceCellData               &reference,
-                  const State                           &state,
-                  const Penalty                         &penalty,
-                  const std::vector<MaterialParameters> &materials,
-                  const std::vector<StiffnessMatrix>    &stiffnesses);
+    IntrinsicPenalty(const Topology                        &topology,
+                     const ReferenceCellData               &reference,
+                     const State                           &state,
+                     const Penalty                         &penalty,
+                     const std::vector<MaterialParameters> &materials,
+                     const std::vector<StiffnessMatrix>    &stiffnesses);
 
     /** Zero beside a material that does not break. */
     double

@@ -1,4 +1,4 @@
-#include <rift/cohesive/face_slopes.h>
+#include <rift/cohesive/penalty_stiffness.h>
 #include <rift/mesh/mesh_data.h>
 #include <rift/solid/cell_frequency.h>
 
@@ -44,12 +44,12 @@ namespace rift
     }
   } // namespace
 
-  FaceSlope
-  slopes_that_the_step_allows(const Topology              &topology,
-                              const ReferenceCellData     &reference,
-                              std::vector<StiffnessMatrix> stiffnesses,
-                              std::vector<double>          densities,
-                              const double                 frequency_limit)
+  PenaltyStiffness
+  stable_penalty_stiffness(const Topology              &topology,
+                           const ReferenceCellData     &reference,
+                           std::vector<StiffnessMatrix> stiffnesses,
+                           std::vector<double>          densities,
+                           const double                 frequency_limit)
   {
     return [&topology,
             &reference,
@@ -78,12 +78,13 @@ namespace rift
     };
   }
 
-  PenaltySlopes::PenaltySlopes(const Topology                        &topology,
-                               const ReferenceCellData               &reference,
-                               const State                           &state,
-                               const Penalty                         &penalty,
-                               const std::vector<MaterialParameters> &materials,
-                               const std::vector<StiffnessMatrix> &stiffnesses)
+  IntrinsicPenalty::IntrinsicPenalty(
+    const Topology                        &topology,
+    const ReferenceCellData               &reference,
+    const State                           &state,
+    const Penalty                         &penalty,
+    const std::vector<MaterialParameters> &materials,
+    const std::vector<StiffnessMatrix>    &stiffnesses)
     : topology(topology)
     , reference(reference)
     , state(state)
@@ -102,7 +103,7 @@ namespace rift
   }
 
   double
-  PenaltySlopes::operator()(const FaceIndex face) const
+  IntrinsicPenalty::operator()(const FaceIndex face) const
   {
     const Face &f        = topology.faces[face];
     double      shortest = std::numeric_limits<double>::max();
@@ -122,7 +123,7 @@ namespace rift
   }
 
   double
-  PenaltySlopes::frequency_squared(const CellIndex cell) const
+  IntrinsicPenalty::frequency_squared(const CellIndex cell) const
   {
     // Since |u+ - u-|^2 <= 2 (|u+|^2 + |u-|^2), each side of a face has at most
     // a stiffness of its own, of twice the slope: for each component the matrix
