@@ -20,13 +20,14 @@ namespace rift
     double
     inverse_separation(const Mode  &mode,
                        const double stiffness,
-                       const double part_of_fracture)
+                       const double rising_work_fraction)
     {
       if (mode.strength == 0)
         return 0;
       const double peak = mode.strength + mode.excess;
       const double rise =
-        std::max(0., part_of_fracture * peak * peak / stiffness - mode.given);
+        std::max(0.,
+                 rising_work_fraction * peak * peak / stiffness - mode.given);
       const double of_excess =
         .5 * mode.excess * mode.excess / (excess_slope * stiffness);
       return 1 / std::max((mode.fracture_energy - rise - of_excess) /
@@ -38,7 +39,7 @@ namespace rift
     set_separations(MohrCoulombPoint<double> &point,
                     const FaceStrength       &strength,
                     const double              stiffness,
-                    const double              part_of_fracture)
+                    const double              rising_work_fraction)
     {
       const Mode opening = {strength.tensile_strength,
                             strength.fracture_energy_1,
@@ -49,9 +50,9 @@ namespace rift
                             point.given_sliding,
                             point.shear_excess};
       point.inverse_opening =
-        inverse_separation(opening, stiffness, part_of_fracture);
+        inverse_separation(opening, stiffness, rising_work_fraction);
       point.inverse_slip =
-        inverse_separation(sliding, stiffness, part_of_fracture);
+        inverse_separation(sliding, stiffness, rising_work_fraction);
     }
 
     /** Of an elastic branch, J/m^2: what fracture will use up, by modes, and
@@ -116,7 +117,7 @@ namespace rift
     set_separations(point,
                     strength,
                     constants.stiffness,
-                    Branch::part_of_fracture);
+                    Branch::rising_work_fraction);
     return point;
   }
 
@@ -128,7 +129,7 @@ namespace rift
     const auto is_too_short = [&](const double of_strength,
                                   const double energy) {
       return (Softening::integral * shortest_separation +
-              Branch::part_of_fracture) *
+              Branch::rising_work_fraction) *
                of_strength * of_strength / constants.stiffness >
              energy;
     };
@@ -173,7 +174,7 @@ namespace rift
     point.given_opening += has.opening - had.opening;
     point.given_sliding += has.sliding - had.sliding;
     point.debt += has.owed - had.owed;
-    set_separations(point, strength, stiffness, Branch::part_of_fracture);
+    set_separations(point, strength, stiffness, Branch::rising_work_fraction);
     return has.opening - had.opening + has.sliding - had.sliding;
   }
 

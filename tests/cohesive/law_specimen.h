@@ -89,11 +89,12 @@ namespace rift::test
   /** Jump beyond the peak at which a mode has separated fully; in the extrinsic
    * model the way to the peak takes its part. */
   inline double
-  full_jump(const double energy,
-            const double peak,
-            const double part_of_fracture = StraightBranch::part_of_fracture)
+  full_jump(
+    const double energy,
+    const double peak,
+    const double rising_work_fraction = StraightBranch::rising_work_fraction)
   {
-    return (energy - part_of_fracture * peak * peak / stiffness) /
+    return (energy - rising_work_fraction * peak * peak / stiffness) /
            (Softening::integral * peak);
   }
 

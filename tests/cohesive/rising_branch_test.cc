@@ -70,10 +70,10 @@ TEST(RisingBranch, SoftensOverTheJumpBeyondThePeak)
 {
   const double o_t = full_jump(strength.fracture_energy_1,
                                strength.tensile_strength,
-                               ParabolicBranch::part_of_fracture);
+                               ParabolicBranch::rising_work_fraction);
   const double s_t = full_jump(strength.fracture_energy_2,
                                strength.cohesion,
-                               ParabolicBranch::part_of_fracture);
+                               ParabolicBranch::rising_work_fraction);
   Intrinsic    opening, sliding;
   for (unsigned int i = 1; i < 1000; ++i)
     {

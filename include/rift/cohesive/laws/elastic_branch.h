@@ -6,7 +6,7 @@
 
 namespace rift
 {
-  // How the traction of a cohesive face rises to its strength. `Trial` is the
+  // How the traction of a cohesive face rises to its strength. `TrialTraction` is the
   // elastic jump times the stiffness k at the start, Pa: the traction if the branch
   // was straight and endless; its peak is the strength that is left.
 
@@ -21,13 +21,13 @@ namespace rift
     static constexpr bool          is_straight = true;
 
     /** The trial at the peak, over the peak. */
-    static constexpr double reach = 1;
+    static constexpr double peak_ratio = 1;
 
     /**
      * What the way to the peak takes of the fracture energy, over peak^2 / k:
      * all its work, so that separation takes no more than that.
      */
-    static constexpr double part_of_fracture = .5;
+    static constexpr double rising_work_fraction = .5;
   };
 
   /**
@@ -39,18 +39,18 @@ namespace rift
   {
     static constexpr CohesiveModel model       = CohesiveModel::intrinsic;
     static constexpr bool          is_straight = false;
-    static constexpr double        reach       = 2;
+    static constexpr double        peak_ratio  = 2;
 
     /** None: as in the literature, the work of the rising branch comes on top
      * of the fracture energy. */
-    static constexpr double part_of_fracture = 0;
+    static constexpr double rising_work_fraction = 0;
 
     /** Traction over trial; `ratio` is the trial over its peak. */
     template <typename Number>
     static Number
     secant(const Number &ratio)
     {
-      return select(ratio < reach, 1. - .25 * ratio, 1. - 1. / ratio);
+      return select(ratio < peak_ratio, 1. - .25 * ratio, 1. - 1. / ratio);
     }
 
     /** Elastic energy per area over trial^2 / k. */
@@ -59,7 +59,7 @@ namespace rift
     energy(const Number &ratio)
     {
       const Number inverse = 1. / ratio;
-      return select(ratio < reach,
+      return select(ratio < peak_ratio,
                     .5 - (1. / 12.) * ratio,
                     .5 - inverse + (4. / 3.) * inverse * inverse);
     }
@@ -67,7 +67,7 @@ namespace rift
     /** Trial over peak at a traction over peak of 0 to 1. */
     template <typename Number>
     static Number
-    ratio_of(const Number &traction)
+    trial_ratio(const Number &traction)
     {
       return 2. * traction / (1. + sqrt(1. - traction));
     }

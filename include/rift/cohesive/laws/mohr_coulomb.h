@@ -156,10 +156,10 @@ namespace rift
     /** What an elastic jump would carry on a straight and endless branch,
      * Pa. */
     template <typename Number>
-    struct Trial
+    struct TrialTraction
     {
-      Trial(const Constants<Number> &constants,
-            const Vector3<Number>   &elastic_jump)
+      TrialTraction(const Constants<Number> &constants,
+                    const Vector3<Number>   &elastic_jump)
         : vector(constants.stiffness * elastic_jump)
         , normal(vector[0])
         , shear(sqrt(vector[1] * vector[1] + vector[2] * vector[2]))
@@ -183,21 +183,22 @@ namespace rift
     static Peaks<Number>
     peaks_of(const Point<Number> &point, const Constants<Number> &constants);
 
-    /** By how much a trial is beyond the reach of the branch, Pa. */
+    /** By how much a trial is beyond the peak of the branch, Pa. */
     template <typename Number>
-    struct Beyond
+    struct Overstress
     {
       Number normal, shear;
     };
 
     template <typename Number>
-    static Beyond<Number>
-    beyond(const Trial<Number> &trial, const Peaks<Number> &peaks);
+    static Overstress<Number>
+    overstress(const TrialTraction<Number> &trial, const Peaks<Number> &peaks);
 
-    /** Traction of a trial within the reach of the branch. */
+    /** Traction of a trial within the peak of the branch. */
     template <typename Number>
     static Vector3<Number>
-    elastic_traction(const Trial<Number> &trial, const Peaks<Number> &peaks);
+    elastic_traction(const TrialTraction<Number> &trial,
+                     const Peaks<Number>         &peaks);
 
     /** Elastic energy per area of a trial times k, Pa^2. */
     template <typename Number>
@@ -249,8 +250,8 @@ namespace rift
       Number          opening, slip;
 
       /** The peaks that are left and the trial that is. */
-      Peaks<Number> peaks;
-      Trial<Number> rest;
+      Peaks<Number>         peaks;
+      TrialTraction<Number> rest;
 
       /** Whether a failed point has opened and will close where it was cut. */
       MaskOf<Number> has_parted;
@@ -259,10 +260,10 @@ namespace rift
     /** Moves a point whose damage is known to the envelope that is left. */
     template <typename Number>
     static Flow<Number>
-    flow_to_envelope(Point<Number>           &point,
-                     const Constants<Number> &constants,
-                     const Trial<Number>     &trial,
-                     const Vector3<Number>   &jump);
+    flow_to_envelope(Point<Number>               &point,
+                     const Constants<Number>     &constants,
+                     const TrialTraction<Number> &trial,
+                     const Vector3<Number>       &jump);
 
     /**
      * By the trapezoidal rule, as the central differences do their work, and
@@ -274,12 +275,12 @@ namespace rift
      */
     template <typename Number>
     static Dissipation<Number>
-    dissipation_of(const Flow<Number>      &flow,
-                   const Point<Number>     &point,
-                   const Vector3<Number>   &former,
-                   const Peaks<Number>     &before,
-                   const Trial<Number>     &trial,
-                   const Constants<Number> &constants);
+    dissipation_of(const Flow<Number>          &flow,
+                   const Point<Number>         &point,
+                   const Vector3<Number>       &former,
+                   const Peaks<Number>         &before,
+                   const TrialTraction<Number> &trial,
+                   const Constants<Number>     &constants);
 
     /** A divisor that is not zero. */
     template <typename Number>

@@ -19,13 +19,13 @@ namespace rift
 
   template <typename Branch>
   template <typename Number>
-  typename MohrCoulomb<Branch>::template Beyond<Number>
-  MohrCoulomb<Branch>::beyond(const Trial<Number> &trial,
-                              const Peaks<Number> &peaks)
+  typename MohrCoulomb<Branch>::template Overstress<Number>
+  MohrCoulomb<Branch>::overstress(const TrialTraction<Number> &trial,
+                                  const Peaks<Number>         &peaks)
   {
     const Number zero{};
-    return {max(trial.normal - Branch::reach * peaks.normal, zero),
-            max(trial.shear - (Branch::reach * peaks.shear +
+    return {max(trial.normal - Branch::peak_ratio * peaks.normal, zero),
+            max(trial.shear - (Branch::peak_ratio * peaks.shear +
                                peaks.friction * trial.pressure),
                 zero)};
   }
@@ -33,8 +33,8 @@ namespace rift
   template <typename Branch>
   template <typename Number>
   Vector3<Number>
-  MohrCoulomb<Branch>::elastic_traction(const Trial<Number> &trial,
-                                        const Peaks<Number> &peaks)
+  MohrCoulomb<Branch>::elastic_traction(const TrialTraction<Number> &trial,
+                                        const Peaks<Number>         &peaks)
   {
     Vector3<Number> t = trial.vector;
     if constexpr (!Branch::is_straight)
@@ -72,7 +72,7 @@ namespace rift
         const Number share = min(traction / nonzero(peak), Number{} + 1.);
         return select(traction > peak,
                       traction + peak,
-                      peak * Branch::ratio_of(share));
+                      peak * Branch::trial_ratio(share));
       }
   }
 
@@ -83,11 +83,11 @@ namespace rift
                                        const Vector3<Number>   &jump,
                                        Mask                    &yields)
   {
-    const Trial<Number>  trial(constants, jump);
-    const Peaks<Number>  peaks = {constants.tensile_strength,
-                                  constants.cohesion,
-                                  constants.friction_at(Number{} + 1.)};
-    const Beyond<Number> over  = beyond(trial, peaks);
+    const TrialTraction<Number> trial(constants, jump);
+    const Peaks<Number>         peaks = {constants.tensile_strength,
+                                         constants.cohesion,
+                                         constants.friction_at(Number{} + 1.)};
+    const Overstress<Number>    over  = overstress(trial, peaks);
     yields = (over.normal > Number{}) | (over.shear > Number{});
     return elastic_traction(trial, peaks);
   }
@@ -134,11 +134,11 @@ namespace rift
     Vector3<Number> former = point.traction;
     if constexpr (Branch::is_straight)
       repay(point, constants, jump);
-    const Trial<Number>  trial(constants, jump - point.offset);
-    const Peaks<Number>  before = peaks_of(point, constants);
-    const Beyond<Number> over   = beyond(trial, before);
-    const auto           yields = (over.normal > zero) | (over.shear > zero);
-    point.traction              = elastic_traction(trial, before);
+    const TrialTraction<Number> trial(constants, jump - point.offset);
+    const Peaks<Number>         before = peaks_of(point, constants);
+    const Overstress<Number>    over   = overstress(trial, before);
+    const auto yields = (over.normal > zero) | (over.shear > zero);
+    point.traction    = elastic_traction(trial, before);
     if (!any(yields))
       return {zero, zero};
 
@@ -185,24 +185,24 @@ namespace rift
   template <typename Branch>
   template <typename Number>
   typename MohrCoulomb<Branch>::template Flow<Number>
-  MohrCoulomb<Branch>::flow_to_envelope(Point<Number>           &point,
-                                        const Constants<Number> &constants,
-                                        const Trial<Number>     &trial,
-                                        const Vector3<Number>   &jump)
+  MohrCoulomb<Branch>::flow_to_envelope(Point<Number>               &point,
+                                        const Constants<Number>     &constants,
+                                        const TrialTraction<Number> &trial,
+                                        const Vector3<Number>       &jump)
   {
     // The branch ends at the peaks that are left; the rest is irreversible.
-    const Number         zero{};
-    const Number         compliance = 1. / constants.stiffness;
-    const Peaks<Number>  peaks      = peaks_of(point, constants);
-    const Beyond<Number> over       = beyond(trial, peaks);
-    const Number         opening    = compliance * over.normal;
-    const Number         slip       = compliance * over.shear;
-    const Number         slip_share = slip / nonzero(trial.shear);
-    Vector3<Number>      flow       = {{opening, zero, zero}};
+    const Number             zero{};
+    const Number             compliance = 1. / constants.stiffness;
+    const Peaks<Number>      peaks      = peaks_of(point, constants);
+    const Overstress<Number> over       = overstress(trial, peaks);
+    const Number             opening    = compliance * over.normal;
+    const Number             slip       = compliance * over.shear;
+    const Number             slip_share = slip / nonzero(trial.shear);
+    Vector3<Number>          flow       = {{opening, zero, zero}};
     for (unsigned int d = 1; d < dim; ++d)
       flow[d] = slip_share * trial.vector[d];
     point.offset += flow;
-    const Trial<Number> rest(constants, jump - point.offset);
+    const TrialTraction<Number> rest(constants, jump - point.offset);
     point.traction = elastic_traction(rest, peaks);
 
     const MaskOf<Number> has_parted = (point.softening <= zero) &
@@ -216,24 +216,24 @@ namespace rift
   template <typename Branch>
   template <typename Number>
   Dissipation<Number>
-  MohrCoulomb<Branch>::dissipation_of(const Flow<Number>      &flow,
-                                      const Point<Number>     &point,
-                                      const Vector3<Number>   &former,
-                                      const Peaks<Number>     &before,
-                                      const Trial<Number>     &trial,
-                                      const Constants<Number> &constants)
+  MohrCoulomb<Branch>::dissipation_of(const Flow<Number>          &flow,
+                                      const Point<Number>         &point,
+                                      const Vector3<Number>       &former,
+                                      const Peaks<Number>         &before,
+                                      const TrialTraction<Number> &trial,
+                                      const Constants<Number>     &constants)
   {
     // Of what sliding takes, the cohesion has its own and friction the rest.
     // That a failed point leaves contact in the midst of a step is an error of
     // the time integration, not fracture: it belongs to the residual.
-    const Number           zero{};
-    const Vector3<Number> &t     = point.traction;
-    const Peaks<Number>   &after = flow.peaks;
-    const Trial<Number>   &rest  = flow.rest;
-    const Number of_opening      = select(flow.has_parted & (former[0] < zero),
+    const Number                 zero{};
+    const Vector3<Number>       &t     = point.traction;
+    const Peaks<Number>         &after = flow.peaks;
+    const TrialTraction<Number> &rest  = flow.rest;
+    const Number of_opening = select(flow.has_parted & (former[0] < zero),
                                      zero,
                                      .5 * (t[0] + former[0]) * flow.opening);
-    const Number sliding         = .5 * ((t[1] + former[1]) * flow.jump[1] +
+    const Number sliding    = .5 * ((t[1] + former[1]) * flow.jump[1] +
                                  (t[2] + former[2]) * flow.jump[2]);
     const Number of_cohesion =
       min(.5 * (before.shear + after.shear) * flow.slip, max(sliding, zero));
@@ -250,7 +250,7 @@ namespace rift
                                trial_energy(shear, after.shear));
         };
         const Number of_cohesive_shear =
-          released(min(rest.shear, Branch::reach * after.shear));
+          released(min(rest.shear, Branch::peak_ratio * after.shear));
         dissipation.fracture +=
           compliance * (trial_energy(rest.normal, before.normal) -
                         trial_energy(rest.normal, after.normal)) +
