@@ -109,13 +109,13 @@ namespace rift
   {
     CornerForces    forces{};
     Vector3<double> mean = {{0, 0, 0}};
-    for (auto share = first; share != last; ++share)
+    for (auto corner = first; corner != last; ++corner)
       {
         for (unsigned int i = 0; i < dim; ++i)
           for (unsigned int d = 0; d < dim; ++d)
-            forces[share->corner][i] +=
-              kinematics.frame[i][d][lane] * share->force[d];
-        mean += (1. / (last - first)) * forces[share->corner];
+            forces[corner->corner][i] +=
+              kinematics.frame[i][d][lane] * corner->force[d];
+        mean += (1. / (last - first)) * forces[corner->corner];
       }
     for (unsigned int c = 0; c < 3; ++c)
       if (batch.minus[c][lane] == batch.plus[c][lane])

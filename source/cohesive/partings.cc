@@ -74,17 +74,17 @@ namespace rift
   std::vector<OpeningCorner>
   Partings::hold(State &state, const PrescribedAcceleration &prescribed)
   {
-    std::vector<OpeningCorner> shares;
+    std::vector<OpeningCorner> opening_forces;
     for (const Parting &parting : partings)
       {
         const auto bond = bond_forces(state, parting, prescribed);
         for (std::size_t i = 0; i < bond.size(); ++i)
           for (unsigned int d = 0; d < dim; ++d)
             state.force[parting.nodes[i]][d] += bond[i][d];
-        share_out(parting, bond, shares);
+        distribute(parting, bond, opening_forces);
       }
     partings.clear();
-    return shares;
+    return opening_forces;
   }
 
   std::vector<Vector3<double>>
@@ -163,9 +163,9 @@ namespace rift
   } // namespace
 
   void
-  Partings::share_out(const Parting                      &parting,
-                      const std::vector<Vector3<double>> &bond,
-                      std::vector<OpeningCorner>         &shares) const
+  Partings::distribute(const Parting                      &parting,
+                       const std::vector<Vector3<double>> &bond,
+                       std::vector<OpeningCorner>         &opening_forces) const
   {
     // Forces of the faces F = area (lambda_minus - lambda_plus), with lambda
     // one vector per node, are the smallest (in the mean over the area) that
@@ -183,9 +183,9 @@ namespace rift
     std::vector<Vector3<double>> lambda = bond;
     solve_laplacian(std::move(matrix), lambda);
     for (const auto &[face, corner, minus, plus] : parting.openings)
-      shares.push_back({face,
-                        corner,
-                        reference_area(topology, reference, face) *
-                          (lambda[minus] - lambda[plus])});
+      opening_forces.push_back({face,
+                                corner,
+                                reference_area(topology, reference, face) *
+                                  (lambda[minus] - lambda[plus])});
   }
 } // namespace rift

@@ -77,9 +77,9 @@ namespace rift
 
     /** Divides the bond forces of the nodes among the faces that open. */
     void
-    share_out(const Parting                      &parting,
-              const std::vector<Vector3<double>> &bond,
-              std::vector<OpeningCorner>         &shares) const;
+    distribute(const Parting                      &parting,
+               const std::vector<Vector3<double>> &bond,
+               std::vector<OpeningCorner>         &opening_forces) const;
 
     const Topology          &topology;
     const ReferenceCellData &reference;
