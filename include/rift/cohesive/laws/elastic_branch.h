@@ -6,9 +6,9 @@
 
 namespace rift
 {
-  // How the traction of a cohesive face rises to its strength. `TrialTraction` is the
-  // elastic jump times the stiffness k at the start, Pa: the traction if the branch
-  // was straight and endless; its peak is the strength that is left.
+  // How the traction of a cohesive face rises to its strength. `TrialTraction`
+  // is the elastic jump times the stiffness k at the start, Pa: the traction if
+  // the branch was straight and endless; its peak is the strength that is left.
 
   /**
    * The elastic branch of the extrinsic model: straight. It is a numerical

@@ -157,7 +157,7 @@ namespace rift
       const Demand<double> had(point.traction, point.damage, constants);
       const double         held    = elastic_energy(point, constants);
       const double         to_come = point.strength * point.separation -
-                             had.rising_work_fraction(strength, constants);
+                             had.fracture_part(strength, constants);
       // A failed point that is open keeps its place of closing as offset, which
       // is none of its elastic branch.
       if (point.damage >= 1 && point.traction[0] == 0)
@@ -169,7 +169,7 @@ namespace rift
       point.strength = std::max(point.strength, has.effective);
       set_separation(point,
                      constants,
-                     to_come + has.rising_work_fraction(strength, constants));
+                     to_come + has.fracture_part(strength, constants));
       const double given =
         has.cohesive_energy(constants) - had.cohesive_energy(constants);
       point.owed += elastic_energy(point, constants) - held - given;
@@ -283,8 +283,8 @@ namespace rift
 
       /** That over the fracture energy of this mixture of modes. */
       Number
-      rising_work_fraction(const FaceStrength      &strength,
-                           const Constants<Number> &constants) const
+      fracture_part(const FaceStrength      &strength,
+                    const Constants<Number> &constants) const
       {
         return cohesive_energy(constants) * effective * effective /
                nonzero(strength.fracture_energy_1 * opening * opening +
