@@ -34,10 +34,9 @@ namespace rift
          "What acts on a physical surface of the mesh, whose name it has. A "
          "function of time is an expression in t, or the path of a table "
          "that ends with .csv, relative to the .prm; a table acts with its "
-         "mean "
-         "over each time step, an expression with its value in the middle. A "
-         "load whose forces act along prescribed velocities alone is an error. "
-         "A surface without subsection is free."},
+         "mean over each time step, an expression with its value in the "
+         "middle. A load whose forces act along prescribed velocities alone "
+         "is an error. A surface without subsection is free."},
         {"Fracture", "How cracks are computed."},
         {"Contact", "What happens where surfaces meet."},
         {"Time", "The time steps."},
