@@ -65,7 +65,11 @@ namespace rift
                       materials,
                       parameters,
                       body.communicator);
-    force.emplace(body.topology, body.reference, *strengths, parameters, slope);
+    force.emplace(body.topology,
+                  body.reference,
+                  *strengths,
+                  parameters,
+                  stiffness_of);
     if (is_extrinsic())
       {
         insertion.emplace(body.topology,

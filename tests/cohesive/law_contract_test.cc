@@ -46,7 +46,7 @@ namespace
 
   /** Elastic energy of a point that is at its strength, J/m^2. */
   const double elastic_size =
-    .5 * strength.cohesion * strength.cohesion / slope;
+    .5 * strength.cohesion * strength.cohesion / stiffness;
 } // namespace
 
 template <typename Law>
@@ -62,7 +62,7 @@ TYPED_TEST_SUITE(LawContract, TypesOf<CohesiveLaws>::type, );
 // with a stiff one it is small.
 TYPED_TEST(LawContract, SeparationTakesTheFractureEnergy)
 {
-  const double k = is_extrinsic<TypeParam> ? slope : 100 * slope;
+  const double k = is_extrinsic<TypeParam> ? stiffness : 100 * stiffness;
   for (const bool opens : {true, false})
     {
       LawSpecimen<TypeParam> specimen(k);
@@ -113,7 +113,7 @@ TYPED_TEST(LawContract, RandomStepsStayStableAndBalanced)
   LawSpecimen<TypeParam> specimen;
   double                 last_damage = 0;
   const double           largest =
-    (1 + strength.tan_friction_angle) * slope * full_opening +
+    (1 + strength.tan_friction_angle) * stiffness * full_opening +
     2 * strength.cohesion;
   for (unsigned int i = 0; i < 100000; ++i)
     {
@@ -215,7 +215,7 @@ TYPED_TEST(LawContract, IntactPointsNeedNoMemory)
         {
           LawSpecimen<TypeParam> specimen;
           const Vector           jump =
-            random_vector(random, 3 * strength.cohesion / slope);
+            random_vector(random, 3 * strength.cohesion / stiffness);
           bool         yields;
           const Vector traction =
             TypeParam::intact_traction(specimen.constants, jump, yields);
@@ -243,7 +243,7 @@ TYPED_TEST(LawContract, LanesAreLikeNumbersAndDoNotFeelEachOther)
     {
       FaceStrength scattered      = strength.times(.8 + .05 * l);
       scattered.residual_friction = .3;
-      numbers.emplace_back(slope, scattered);
+      numbers.emplace_back(stiffness, scattered);
       if constexpr (is_extrinsic<TypeParam>)
         numbers.back().hold(random_traction(random));
     }

@@ -40,10 +40,10 @@ TEST(LinearSoftening, ModesFollowTheLine)
   const auto   c                = Linear().constants;
   const double opening_strength = test::strength.tensile_strength;
   const double sliding_strength = test::strength.cohesion;
-  EXPECT_NEAR(c.opening_compliance * whole_opening * slope,
+  EXPECT_NEAR(c.opening_compliance * whole_opening * stiffness,
               opening_strength,
               1e-9 * opening_strength);
-  EXPECT_NEAR(c.sliding_compliance * whole_slip * slope,
+  EXPECT_NEAR(c.sliding_compliance * whole_slip * stiffness,
               sliding_strength,
               1e-9 * sliding_strength);
   Linear opening, sliding;
@@ -82,7 +82,7 @@ TEST(LinearSoftening, MixedModeFollowsTheDirectionOfTheJump)
 {
   for (const double angle : {.3, .8, 1.2})
     {
-      Linear specimen(1000 * slope);
+      Linear specimen(1000 * stiffness);
       for (unsigned int i = 1; i <= 1200; ++i)
         {
           const double jump = i / 1000.;
@@ -116,7 +116,7 @@ TEST(LinearSoftening, MixedModeTakesTheMeanOfTheEnergies)
 {
   for (const double angle : {.2, .6, M_PI / 4, 1., 1.4})
     {
-      Linear specimen(100 * slope);
+      Linear specimen(100 * stiffness);
       specimen.go_to(path(angle, 1.1), 40000);
       const double energy =
         std::pow(std::cos(angle), 2) * test::strength.fracture_energy_1 +
@@ -132,12 +132,12 @@ TEST(LinearSoftening, UnloadingFollowsTheBranch)
   specimen.go_to(path(.7, .5), 1000);
   const Vector jump = specimen.jump, traction = specimen.point.traction;
   const double fracture = specimen.fracture;
-  const double back     = .5 * traction[0] / slope;
+  const double back     = .5 * traction[0] / stiffness;
   for (const double way : {.25, 1., .5, 0., 4.})
     {
       specimen.step_to(jump - Vector{{way * back, 0, 0}});
       EXPECT_NEAR(specimen.point.traction[0],
-                  traction[0] - way * back * slope,
+                  traction[0] - way * back * stiffness,
                   1e-12 * test::strength.cohesion);
       for (unsigned int d = 1; d < dim; ++d)
         EXPECT_NEAR(specimen.point.traction[d],
@@ -153,12 +153,12 @@ TEST(LinearSoftening, FrictionIsCarriedBesidesTheCohesion)
   const double pressure = 20e6, residual = .5;
   FaceStrength strength      = test::strength;
   strength.residual_friction = residual;
-  Linear specimen(slope, strength);
-  specimen.step_to({{-pressure / slope, 0, 0}});
+  Linear specimen(stiffness, strength);
+  specimen.step_to({{-pressure / stiffness, 0, 0}});
   const unsigned int n = 20000;
   for (unsigned int i = 1; i <= n; ++i)
     {
-      specimen.step_to({{-pressure / slope, 0, 2. * i / n * whole_slip}});
+      specimen.step_to({{-pressure / stiffness, 0, 2. * i / n * whole_slip}});
       const double d    = LinearSoftening::damage(specimen.point).slip;
       const double peak = (1 - d) * strength.cohesion +
                           (strength.tan_friction_angle +
@@ -172,9 +172,9 @@ TEST(LinearSoftening, FrictionIsCarriedBesidesTheCohesion)
     }
   EXPECT_TRUE(LinearSoftening::has_failed(specimen.point));
   EXPECT_NEAR(specimen.shear(), residual * pressure, 1e-9 * pressure);
-  EXPECT_NEAR(specimen.work - .5 * pressure * pressure / slope,
+  EXPECT_NEAR(specimen.work - .5 * pressure * pressure / stiffness,
               specimen.fracture + specimen.friction +
-                .5 * std::pow(residual * pressure, 2) / slope,
+                .5 * std::pow(residual * pressure, 2) / stiffness,
               1e-6 * specimen.work);
   EXPECT_GT(specimen.friction, residual * pressure * whole_slip);
 }
@@ -186,7 +186,7 @@ TEST(LinearSoftening, LineStartsAtWhatIsHeld)
   for (const double share : {.7, 1., 1.4})
     for (const bool parts_in_two : {false, true})
       {
-        Linear       specimen(100 * slope);
+        Linear       specimen(100 * stiffness);
         const Vector traction = {{.8 * share * test::strength.tensile_strength,
                                   .6 * share * test::strength.cohesion,
                                   0}};
@@ -199,7 +199,7 @@ TEST(LinearSoftening, LineStartsAtWhatIsHeld)
             given += specimen.given;
           }
         EXPECT_NEAR(given,
-                    .5 * dot(traction, traction) / (100 * slope),
+                    .5 * dot(traction, traction) / (100 * stiffness),
                     1e-9 * energy);
         EXPECT_NEAR(specimen.point.owed, 0, 1e-9 * energy);
         EXPECT_NEAR(specimen.point.strength, std::max(share, 1.), 1e-12);
@@ -229,7 +229,9 @@ TEST(LinearSoftening, FailedPointHoldsOnceMore)
   specimen.go_to({{opening + 1.01 * reach, 0, 0}}, 100);
   EXPECT_EQ(specimen.point.traction[0], 0);
   specimen.step_to({{-1e-8, 0, 0}});
-  EXPECT_NEAR(specimen.point.traction[0], -slope * 1e-8, 1e-9 * slope * 1e-8);
+  EXPECT_NEAR(specimen.point.traction[0],
+              -stiffness * 1e-8,
+              1e-9 * stiffness * 1e-8);
 }
 
 TEST(LinearSoftening, SoftBranchTakesMoreEnergy)
