@@ -84,3 +84,23 @@ keep_sets_until() {
     [ "${set##*/}" -le "$1" ] || rm -r "$set"
   done
 }
+
+# goes_on FIRST SECOND EVERY ARGUMENTS...: a run with a checkpoint every so many
+# steps goes on from that of the first step on $ranks ranks, and from that of the
+# second on one; it must have cracks.
+goes_on() {
+  local first=$1 second=$2 n
+  local every=(--set "Checkpoint/Interval in steps=$3"
+    --set "Checkpoint/Number of sets=100")
+  shift 3
+  expect 0 1 "$@" --output whole
+  expect 0 1 "$@" --output run "${every[@]}"
+  same_results whole run
+  keep_sets_until "$first" run
+  for n in "$ranks" 1; do
+    keep_sets_until "$second" run
+    expect 0 "$n" "$@" --output run "${every[@]}" --restart
+    same_results whole run
+  done
+  ! grep -q '"fracture": 0,' whole/summary.json || fail "nothing has softened"
+}
