@@ -46,6 +46,16 @@ namespace rift
             material.fracture_energy_2.at(n)};
   }
 
+  double
+  weibull_factor(const std::uint64_t bits, const double modulus)
+  {
+    // In the open interval (0, 1), which rounding must not leave.
+    const double u =
+      std::min((static_cast<double>(bits >> 11) + .5) / (1ull << 53),
+               1 - std::numeric_limits<double>::epsilon() / 2);
+    return std::pow(-std::log(u), 1 / modulus) / std::tgamma(1 + 1 / modulus);
+  }
+
   FaceStrengths::FaceStrengths(const Topology                        &topology,
                                const ReferenceCellData               &reference,
                                const std::vector<MaterialParameters> &materials,
@@ -98,9 +108,7 @@ namespace rift
       4 * std::uint64_t{topology.cell_global_indices[f.cells[0]]} +
       f.local_faces[0];
     const std::uint64_t bits = scramble(scramble(seed) ^ name);
-    // In the open interval (0, 1).
-    const double u = (static_cast<double>(bits >> 11) + .5) / (1ull << 53);
-    return std::pow(-std::log(u), 1 / modulus) / std::tgamma(1 + 1 / modulus);
+    return weibull_factor(bits, modulus);
   }
 
   bool
