@@ -38,7 +38,8 @@ namespace rift::test
     return dot(b - a, cross(c - a, d - a)) / 6;
   }
 
-  /** Position along Morton's curve of a point of the unit cube. */
+  /** Position along Morton's curve of a point of the unit cube; any order of
+   * points outside. */
   inline std::uint64_t
   morton_key(const Vector3<double> &x)
   {
@@ -46,7 +47,7 @@ namespace rift::test
     for (int bit = 19; bit >= 0; --bit)
       for (unsigned int d = 0; d < 3; ++d)
         key =
-          2 * key + ((static_cast<std::uint64_t>(x[d] * (1 << 20)) >> bit) & 1);
+          2 * key + ((static_cast<std::int64_t>(x[d] * (1 << 20)) >> bit) & 1);
     return key;
   }
 
