@@ -169,8 +169,8 @@ namespace rift
     {
       for (const UsedSurface &used : used_surfaces(parameters))
         if (const auto n = count_faces(mesh.internal_faces, used.name, mesh))
-          log.write(
-            "WARNING: subsection \"" + used.subsection + "\" uses the " +
+          log.warn(
+            "subsection \"" + used.subsection + "\" uses the " +
             std::to_string(count_faces(mesh.boundary_faces, used.name, mesh)) +
             " outer faces of \"" + used.name + "\" alone, and not the " +
             std::to_string(n) + " that lie inside the body, " +

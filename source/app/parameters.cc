@@ -29,6 +29,15 @@ namespace rift
         add(module->inert_entries());
       for (const ProbeParameters &probe : parameters.probes)
         add(probe.inert_entries());
+      for (const BoundaryParameters &boundary : parameters.boundaries)
+        {
+          add(boundary.inert_entries());
+          if (parameters.cohesive.model == CohesiveParameters::Model::none)
+            result.push_back({"Boundary " + boundary.name,
+                              {"Acts while attached"},
+                              {{"Fracture", "Cohesive model"}},
+                              "where nothing breaks"});
+        }
 
       InertEntries seed{"Fracture", {"Seed"}, {}, "without a Weibull modulus"};
       bool         has_scatter = false;

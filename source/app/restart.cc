@@ -43,7 +43,7 @@ namespace rift
     const CheckpointSet set =
       find_checkpoint(parameters.output.directory, communicator);
     for (const std::string &problem : set.damaged)
-      log.write("WARNING: " + problem);
+      log.warn(problem);
     log.write("Going on from " + set.path);
     check_same_scene(parameters, set);
 

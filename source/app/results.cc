@@ -1,6 +1,6 @@
 #include <rift/app/results.h>
 #include <rift/base/exceptions.h>
-#include <rift/io/fragments.h>
+#include <rift/io/fragments_file.h>
 #include <rift/io/output_directory.h>
 #include <rift/io/solution_fields.h>
 
@@ -29,6 +29,18 @@ namespace rift
       for (const auto &module : snapshot.modules)
         module->declare_fields(list);
       return list;
+    }
+
+    Fragments
+    find_fragments(const Snapshot &snapshot)
+    {
+      const Discretization &d = snapshot.body.discretization;
+      return rift::find_fragments(d.topology,
+                                  d.reference,
+                                  d.densities,
+                                  d.state,
+                                  velocity_at_step(d.state, snapshot.time_step),
+                                  d.communicator);
     }
 
     /** The terms of the ledger with their names. */
@@ -211,7 +223,7 @@ namespace rift
     prepare_output_directory(directory, parameters.output.overwrite);
     log.open(path("log.txt"));
     for (const std::string &warning : warnings(parameters))
-      log.write("WARNING: " + warning);
+      log.warn(warning);
     // The first line tells a later run that the file may be replaced.
     write_file_atomically(path("parameters.prm"),
                           std::string(parameters_marker) + "\n" +
@@ -267,10 +279,7 @@ namespace rift
     std::vector<std::uint32_t> fragments;
     declare_labels(fields, &d.topology, &fragments);
     if (output_fields.includes(*fields.find("fragment", FieldLocation::cell)))
-      fragments = number_fragments(d.topology,
-                                   d.reference,
-                                   densities_of(snapshot.body.materials),
-                                   communicator);
+      fragments = find_fragments(snapshot).of_cell;
     solid->write(d.state.time,
                  solid_solution(d.topology, fields, output_fields));
     if (fracture)
@@ -296,14 +305,8 @@ namespace rift
   void
   Results::finish(const Snapshot &snapshot, Summary summary)
   {
-    const Discretization &d = snapshot.body.discretization;
-    const auto            fragments =
-      list_fragments(d.topology,
-                     d.reference,
-                     densities_of(snapshot.body.materials),
-                     d.state,
-                     velocity_at_step(d.state, snapshot.time_step),
-                     communicator);
+    const Discretization       &d         = snapshot.body.discretization;
+    const std::vector<Fragment> fragments = find_fragments(snapshot).list;
 
     summary.version           = RIFT_VERSION;
     summary.cells             = communicator.sum(d.topology.n_owned_cells());

@@ -15,7 +15,7 @@ namespace rift
     const Communicator communicator(MPI_COMM_WORLD);
     Log                log(communicator.is_root() ? &out : nullptr);
     for (const std::string &warning : warnings(parameters))
-      log.write("WARNING: " + warning);
+      log.warn(warning);
     Simulation(parameters, log, communicator);
   }
 
@@ -30,7 +30,7 @@ namespace rift
       log.write(parameters.title);
     if (const std::string warning = warning_about_ranks(communicator.size());
         !warning.empty())
-      log.write("WARNING: " + warning);
+      log.warn(warning);
     // Before the mesh is made, which may take long. Rank 0 has the lock.
     std::optional<DirectoryLock> lock;
     communicator.on_root([&] {

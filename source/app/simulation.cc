@@ -52,6 +52,7 @@ namespace rift
                      communicator,
                      log))
     , modules(make_modules(parameters, body, mesh))
+    , fragment_watch(body, modules.contact != nullptr)
     , results(parameters, body)
   {
     choose_time_step(restart);
@@ -95,7 +96,7 @@ namespace rift
               " times the bound set by " + critical.limited_by + "; " +
               std::to_string(steps.last_step) + " steps");
     for (const std::string &warning : warnings(steps, critical))
-      log.write("WARNING: " + warning);
+      log.warn(warning);
 
     for (const auto &module : modules)
       {
@@ -125,7 +126,9 @@ namespace rift
       for (const std::string &warning : module->warnings(body.discretization,
                                                          steps.time_step,
                                                          steps.last_step))
-        log.write("WARNING: " + warning);
+        log.warn(warning);
+    for (const std::string &warning : fragment_watch.warnings_at_start())
+      log.warn(warning);
   }
 
   void
@@ -246,6 +249,13 @@ namespace rift
     for (const auto &module : modules)
       module->start_openings(step);
     timer.stop(Stage::cohesive_forces);
+
+    // 10. Loads and warnings follow the pieces, when due
+    if (are_fragments_due())
+      {
+        follow_fragments();
+        timer.stop(Stage::output);
+      }
   }
 
   TopologyChange

@@ -46,7 +46,7 @@ namespace rift
                                  results_now.write(file);
                                });
     if (!problem.empty())
-      log.write("WARNING: " + problem);
+      log.warn(problem);
     log.write("Checkpoint at step " + std::to_string(state().step) +
               ", t = " + short_text(state().time) + " s");
     last_checkpoint = std::chrono::steady_clock::now();

@@ -21,6 +21,11 @@ namespace rift
     /** Number of steps between two looks at the balance of energy. */
     constexpr std::uint64_t balance_interval = 100;
 
+    /** Number of steps between two looks at the pieces: where loads depend on
+     * them, and for warnings alone. */
+    constexpr std::uint64_t short_fragment_interval = 100;
+    constexpr std::uint64_t fragment_interval       = 500;
+
     /** Ranks ask each other about so often whether all goes well... */
     constexpr double seconds_between_synchronizations = .5;
 
@@ -98,6 +103,7 @@ namespace rift
     summary.cell_steps_per_second =
       cell_steps / (timer.total() - record->seconds_before_steps);
     summary.wall_seconds_by_stage = timer.named_seconds();
+    summary.warnings              = log.warnings();
     summary.faces_inserted        = faces.inserted;
     summary.faces_broken          = faces.failed;
     if (modules.contact != nullptr)
@@ -108,9 +114,53 @@ namespace rift
   void
   Simulation::finish()
   {
+    follow_fragments();
+    warn_of_results(count_faces());
     results.finish(snapshot(), summarize());
     log_end(count_faces());
     body.communicator.on_root([this] { log.check(); });
+  }
+
+  bool
+  Simulation::are_fragments_due() const
+  {
+    const bool are_needed =
+      std::any_of(modules.begin(), modules.end(), [](const auto &module) {
+        return module->needs_fragments();
+      });
+    return state().step %
+             (are_needed ? short_fragment_interval : fragment_interval) ==
+           0;
+  }
+
+  void
+  Simulation::follow_fragments()
+  {
+    const Discretization &d      = body.discretization;
+    const auto           &states = d.topology.face_states;
+    if (!d.communicator.any(
+          std::any_of(states.begin(), states.end(), [](const FaceState state) {
+            return state >= FaceState::failed;
+          })))
+      return;
+    std::vector<Vector3<double>> velocities;
+    velocities.reserve(d.state.n_nodes());
+    for (const NodalVector &velocity : d.state.velocity)
+      velocities.push_back(velocity.vector());
+    const Fragments fragments = find_fragments(d.topology,
+                                               d.reference,
+                                               d.densities,
+                                               d.state,
+                                               velocities,
+                                               d.communicator);
+    for (const auto &module : modules)
+      for (const std::string &warning :
+           module->follow_fragments(fragments, d.communicator))
+        log.warn(warning);
+    if (d.state.step % fragment_interval == 0 ||
+        d.state.step == steps.last_step)
+      for (const std::string &warning : fragment_watch.look(fragments))
+        log.warn(warning);
   }
 
   void
@@ -126,22 +176,26 @@ namespace rift
       " faces opened, largest residual of the energy ledger " +
       short_text(ledger.largest_relative_residual()) +
       " of the energy in play");
+  }
+
+  void
+  Simulation::warn_of_results(const FaceCounts &faces)
+  {
     const double     cohesive            = ledger.energies()["cohesive"];
     constexpr double largest_unpaid_part = .05;
     if (cohesive < 0 && -cohesive > largest_unpaid_part *
                                       (ledger.energies().total() - cohesive))
-      log.write("WARNING: the balance has a cohesive energy of " +
-                short_text(cohesive) +
-                " J: so much has come from faces that broke under pressure and "
-                "were unloaded before they had drawn it from the body. Take a "
-                "larger stiffness factor, of Fracture and of Contact.");
+      log.warn("the balance has a cohesive energy of " + short_text(cohesive) +
+               " J: so much has come from faces that broke under pressure and "
+               "were unloaded before they had drawn it from the body. Take a "
+               "larger stiffness factor, of Fracture and of Contact.");
     if (faces.too_short > 0)
-      log.write("WARNING: " + std::to_string(faces.too_short) + " of " +
-                std::to_string(faces.opened) +
-                " opened faces need more than their fracture energy: the "
-                "elements are too large for these strengths and fracture "
-                "energies, or the cohesive penalty is too small "
-                "(doc/theory.md, section 4)");
+      log.warn(std::to_string(faces.too_short) + " of " +
+               std::to_string(faces.opened) +
+               " opened faces need more than their fracture energy: the "
+               "elements are too large for these strengths and fracture "
+               "energies, or the cohesive penalty is too small "
+               "(doc/theory.md, section 4)");
   }
 
   EnergyTable
@@ -169,9 +223,9 @@ namespace rift
         }
       catch (const Error &error)
         {
-          log.write(std::string("WARNING: not all of the state at which the "
-                                "run has failed could be written. ") +
-                    error.what());
+          log.warn(std::string("not all of the state at which the "
+                               "run has failed could be written. ") +
+                   error.what());
         }
     };
     attempt([&] { results.write_history(snapshot()); });

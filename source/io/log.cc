@@ -3,7 +3,9 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <ostream>
 
 namespace rift
@@ -12,6 +14,8 @@ namespace rift
   {
     /** Takes an ANSI terminal to the start of its line, and empties it. */
     constexpr const char *clear_line = "\r\033[K";
+
+    const std::string warning_mark = "WARNING: ";
   } // namespace
 
   Log::Log(std::ostream *terminal, const bool interactive)
@@ -29,6 +33,10 @@ namespace rift
   void
   Log::reopen(const std::string &path)
   {
+    std::ifstream earlier(path);
+    for (std::string line; std::getline(earlier, line);)
+      if (line.compare(0, warning_mark.size(), warning_mark) == 0)
+        remember_warning(line.substr(warning_mark.size()));
     std::error_code error;
     const auto      size = std::filesystem::file_size(path, error);
     take(error ? std::make_unique<OutputFile>(path) :
@@ -64,6 +72,21 @@ namespace rift
       {
         failure = error.what();
       }
+  }
+
+  void
+  Log::warn(const std::string &text)
+  {
+    remember_warning(text);
+    write(warning_mark + text);
+  }
+
+  void
+  Log::remember_warning(const std::string &text)
+  {
+    if (std::find(all_warnings.begin(), all_warnings.end(), text) ==
+        all_warnings.end())
+      all_warnings.push_back(text);
   }
 
   void

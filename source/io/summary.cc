@@ -27,6 +27,7 @@ namespace rift
     json["completed"] = summary.stopped_by.empty();
     if (!summary.stopped_by.empty())
       json["stopped_by"] = summary.stopped_by;
+    json["warnings"]                 = summary.warnings;
     json["cells"]                    = summary.cells;
     json["nodes_initial"]            = summary.nodes_initial;
     json["nodes_final"]              = summary.nodes_final;

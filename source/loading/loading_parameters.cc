@@ -40,6 +40,13 @@ namespace rift
                         function,
                         "Function of time: prescribed velocity along " + axis +
                           "; 0 holds the surface. Units: m/s.");
+    prm.declare_entry("Acts while attached",
+                      "false",
+                      dealii::Patterns::Bool(),
+                      "Whether pressure and traction end on a face when its "
+                      "cell has come off: when no unbroken faces connect it "
+                      "any more with the largest piece of its body, as found "
+                      "every 100 steps.");
     prm.declare_entry("Absorbing",
                       "false",
                       dealii::Patterns::Bool(),
@@ -66,7 +73,8 @@ namespace rift
         result.velocity[d] =
           get_function(prm, section, "Velocity " + axes[d], scene);
       }
-    result.absorbs = prm.get_bool("Absorbing");
+    result.acts_while_attached = prm.get_bool("Acts while attached");
+    result.absorbs             = prm.get_bool("Absorbing");
     prm.leave_subsection();
     return result;
   }
@@ -108,5 +116,24 @@ namespace rift
                            "nor is any other condition of this boundary. Set "
                            "one, or remove the subsection: without it the "
                            "surface is free.");
+  }
+
+  std::vector<InertEntries>
+  BoundaryParameters::inert_entries() const
+  {
+    const std::string section = section_of(name);
+    InertEntries      result{section,
+                        {"Acts while attached"},
+                        {{section, "Pressure"}},
+                        "without a pressure or a traction"};
+    bool              is_loaded = !pressure.empty();
+    for (unsigned int d = 0; d < 3; ++d)
+      {
+        is_loaded = is_loaded || !traction[d].empty();
+        result.causes.emplace_back(section, "Traction " + axes[d]);
+      }
+    if (is_loaded)
+      return {};
+    return {result};
   }
 } // namespace rift

@@ -2,6 +2,7 @@
 #include <rift/loading/surface_load.h>
 
 #include <algorithm>
+#include <set>
 
 namespace rift
 {
@@ -29,10 +30,13 @@ namespace rift
                            Surface                   surface,
                            const BoundaryParameters &parameters)
     : topology(topology)
+    , name(parameters.name)
     , archive_name("load on " + parameters.name)
     , surface(std::move(surface))
+    , acts_while_attached(parameters.acts_while_attached)
     , pressure(
         make_function(parameters.pressure, parameters.name, "Pressure", "Pa"))
+    , bears_load(this->surface.size(), 1)
     , work_done(topology)
   {
     for (unsigned int d = 0; d < dim; ++d)
@@ -101,6 +105,74 @@ namespace rift
     return result;
   }
 
+  std::vector<std::string>
+  SurfaceLoad::follow_fragments(const Fragments    &fragments,
+                                const Communicator &communicator)
+  {
+    if (acts_while_attached)
+      {
+        for (std::size_t i = 0; i < surface.size(); ++i)
+          bears_load[i] &= fragments.is_in_main_piece(surface[i].cell) ? 1 : 0;
+        return {};
+      }
+    if (!is_loaded || has_warned)
+      return {};
+    std::vector<std::int64_t> numbers = {0, 0};
+    for (const CellFace &face : surface)
+      if (topology.owns_cell(face.cell))
+        {
+          ++numbers[0];
+          if (fragments.has_left(fragments.of_cell[face.cell]))
+            ++numbers[1];
+        }
+    communicator.sum(numbers);
+    if (numbers[1] == 0)
+      return {};
+    has_warned = true;
+    return {"the load on boundary \"" + name + "\" goes on acting on " +
+            std::to_string(numbers[1]) + " of its " +
+            std::to_string(numbers[0]) +
+            " faces that have left their place: their fragments have come off "
+            "and moved by more than their size. Set \"Acts while attached = "
+            "true\" in subsection \"Boundary " +
+            name + "\" if it is to end there."};
+  }
+
+  namespace
+  {
+    /** A face that bears no load any more. */
+    struct FaceRecord
+    {
+      GlobalCellIndex cell;
+      std::uint32_t   local_face;
+    };
+  } // namespace
+
+  void
+  SurfaceLoad::save(const Discretization &, Archive &archive) const
+  {
+    work_done.save(archive_name, archive);
+    std::vector<FaceRecord> records;
+    for (std::size_t i = 0; i < surface.size(); ++i)
+      if (!bears_load[i] && topology.owns_cell(surface[i].cell))
+        records.push_back({topology.cell_global_indices[surface[i].cell],
+                           surface[i].local_face});
+    archive.write_list(archive_name + ": faces that have come off", records);
+  }
+
+  void
+  SurfaceLoad::load(const Discretization &, const Archive &archive)
+  {
+    work_done.load(archive_name, archive);
+    std::set<std::pair<CellIndex, std::uint32_t>> released;
+    for (const auto &[cell, local_face] : archive.read_list<FaceRecord>(
+           archive_name + ": faces that have come off"))
+      released.emplace(topology.find_cell(cell), local_face);
+    for (std::size_t i = 0; i < surface.size(); ++i)
+      bears_load[i] =
+        1 - released.count({surface[i].cell, surface[i].local_face});
+  }
+
   void
   SurfaceLoad::update_nodes()
   {
@@ -133,8 +205,11 @@ namespace rift
     if (!is_loaded)
       return;
 
-    for (const auto &positions : face_positions)
+    for (std::size_t face = 0; face < face_positions.size(); ++face)
       {
+        if (!bears_load[face])
+          continue;
+        const auto                    &positions = face_positions[face];
         std::array<Vector3<double>, 3> x, reference;
         for (unsigned int c = 0; c < 3; ++c)
           {

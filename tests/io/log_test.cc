@@ -34,6 +34,28 @@ TEST(Log, GoesOnAfterARestart)
   EXPECT_EQ(read_file(directory / "log.txt"), "first\nsecond\n");
 }
 
+TEST(Log, KnowsItsWarningsAfterARestart)
+{
+  const TemporaryDirectory directory;
+  {
+    Log log(nullptr);
+    log.warn("first");
+    log.write("a line with WARNING: inside");
+    log.open(directory / "log.txt");
+    log.warn("second");
+  }
+  Log log(nullptr);
+  log.warn("second");
+  log.reopen(directory / "log.txt");
+  log.warn("third");
+  log.warn("third");
+  const std::vector<std::string> expected = {"second", "first", "third"};
+  EXPECT_EQ(log.warnings(), expected);
+  EXPECT_EQ(read_file(directory / "log.txt"),
+            "WARNING: first\na line with WARNING: inside\nWARNING: second\n"
+            "WARNING: second\nWARNING: third\nWARNING: third\n");
+}
+
 TEST(Log, Quiet)
 {
   const TemporaryDirectory directory;

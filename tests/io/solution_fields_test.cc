@@ -1,7 +1,7 @@
 // What is written for ParaView, and the hash, on several ranks.
 
 #include <rift/base/bytes.h>
-#include <rift/io/fragments.h>
+#include <rift/discretization/fragments.h>
 #include <rift/io/solution_fields.h>
 
 #include "../cohesive/breaking_body.h"
@@ -99,8 +99,13 @@ namespace
     const InternalForce force(body.topology,
                               body.reference,
                               laws_of(two_granites()));
-    const auto          fragments =
-      number_fragments(body.topology, body.reference, densities, communicator);
+    const auto          fragments = find_fragments(body.topology,
+                                          body.reference,
+                                          densities,
+                                          body.state,
+                                          velocities(body.state),
+                                          communicator)
+                             .of_cell;
     FieldList fields(body.state, 0);
     declare_nodal_fields(fields);
     InternalForce::declare_fields(fields, &force);

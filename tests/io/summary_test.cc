@@ -12,6 +12,7 @@ TEST(Summary, EveryKeyInOrder)
 {
   Summary summary;
   summary.version                  = "0.1.0";
+  summary.warnings                 = {"a \"load\"", "two"};
   summary.cells                    = 31564;
   summary.nodes_initial            = 6000;
   summary.nodes_final              = 6500;
@@ -37,6 +38,10 @@ TEST(Summary, EveryKeyInOrder)
   EXPECT_EQ(read_file(directory / "summary.json"), R"({
   "version": "0.1.0",
   "completed": true,
+  "warnings": [
+    "a \"load\"",
+    "two"
+  ],
   "cells": 31564,
   "nodes_initial": 6000,
   "nodes_final": 6500,
@@ -76,7 +81,7 @@ TEST(Summary, OfARunThatHasFailed)
   EXPECT_NE(read_file(directory / "summary.json")
               .find("{\n  \"version\": \"0.1.0\",\n  \"completed\": "
                     "false,\n  \"stopped_by\": \"a \\\"guard\\\"\",\n  "
-                    "\"cells\": 0,\n"),
+                    "\"warnings\": [],\n  \"cells\": 0,\n"),
             std::string::npos);
 }
 

@@ -122,6 +122,85 @@ TEST(Pressure, OnAClosedSurfaceHasNoResultant)
     }
 }
 
+namespace
+{
+  /** A box whose cells left of x = 1 have come off, and moved by `shift`. */
+  Fragments
+  left_half_comes_off(const ElasticBody &body, const double shift)
+  {
+    Fragments fragments;
+    fragments.list.resize(2);
+    for (Fragment &fragment : fragments.list)
+      fragment.volume = 1e-3;
+    fragments.list[1].displacement = {{0, 0, shift}};
+    for (CellIndex cell = 0; cell < body.topology.n_cell_slots(); ++cell)
+      {
+        double x = 0;
+        for (unsigned int c = 0; c < n_corners; ++c)
+          x += .25 * body.state.reference[body.topology.node(cell, c)][0];
+        fragments.of_cell.push_back(
+          body.topology.is_padding(cell) ? invalid_index : (x < 1 ? 1 : 0));
+      }
+    return fragments;
+  }
+} // namespace
+
+TEST(Pressure, EndsOnFacesThatComeOffWhenItActsWhileAttached)
+{
+  for (const bool acts_while_attached : {false, true})
+    {
+      ElasticBody        body(make_box({{2, 2, 2}}), granite());
+      BoundaryParameters parameters  = pressure("3e6");
+      parameters.acts_while_attached = acts_while_attached;
+      SurfaceLoad load(body.topology,
+                       plane_surface(body.discrete, 2, 2),
+                       parameters);
+      EXPECT_EQ(load.needs_fragments(), acts_while_attached);
+      EXPECT_TRUE(
+        load.follow_fragments(left_half_comes_off(body, 0), Communicator())
+          .empty());
+      load.add_to(body.state, body.activity, 1e-6);
+      EXPECT_NEAR(resultant(body.state)[2],
+                  acts_while_attached ? -6e6 : -12e6,
+                  1e-6);
+      // What has come off stays off, though its cells be the largest piece.
+      Fragments whole          = left_half_comes_off(body, 0);
+      whole.list[1].main_piece = 1;
+      load.follow_fragments(whole, Communicator());
+      for (auto &f : body.state.force)
+        f = {};
+      load.add_to(body.state, body.activity, 1e-6);
+      EXPECT_NEAR(resultant(body.state)[2],
+                  acts_while_attached ? -6e6 : -12e6,
+                  1e-6);
+    }
+}
+
+TEST(Pressure, WarnsOnceThatItActsOnFacesThatHaveLeft)
+{
+  // The pieces are as large as a cube of 0.1 m.
+  ElasticBody body(make_box({{2, 2, 2}}), granite());
+  SurfaceLoad load(body.topology,
+                   plane_surface(body.discrete, 2, 2),
+                   pressure("t < 1e-3 ? 0 : 3e6"));
+  const auto  warnings = [&](const double shift) {
+    load.add_to(body.state, body.activity, 1e-6);
+    return load.follow_fragments(left_half_comes_off(body, shift),
+                                 Communicator());
+  };
+  EXPECT_TRUE(warnings(1).empty());
+  body.state.time = 2e-3;
+  EXPECT_TRUE(warnings(.099).empty());
+  EXPECT_EQ(warnings(-.101),
+            std::vector<std::string>{
+              "the load on boundary \"surface\" goes on acting on 4 of its 8 "
+              "faces that have left their place: their fragments have come off "
+              "and moved by more than their size. Set \"Acts while attached = "
+              "true\" in subsection \"Boundary surface\" if it is to end "
+              "there."});
+  EXPECT_TRUE(warnings(1).empty());
+}
+
 TEST(Pressure, FollowsTheSurface)
 {
   Random random(2);

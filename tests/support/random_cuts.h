@@ -133,7 +133,7 @@ namespace rift::test
       return static_cast<unsigned int>(random() % n);
     };
     Body body =
-      make_box({1 + pick(3), 1 + pick(3), 1 + pick(3)}, 1, .2, random());
+      make_box({{1 + pick(3), 1 + pick(3), 1 + pick(3)}}, 1, .2, random());
     const unsigned int percent = pick(40);
     for (std::size_t i = body.cells.size(); i-- > 0;)
       if (body.cells.size() > 2 && pick(100) < percent)

@@ -1,6 +1,7 @@
 #ifndef rift_app_simulation_h
 #define rift_app_simulation_h
 
+#include <rift/app/fragment_watch.h>
 #include <rift/app/module_list.h>
 #include <rift/app/restart.h>
 #include <rift/app/results.h>
@@ -123,6 +124,15 @@ namespace rift
     void
     follow_owners(StepContext &step, const TopologyChange &change);
 
+    /** Whether loads and warnings are to learn of the pieces in this step. */
+    bool
+    are_fragments_due() const;
+
+    /** Finds the pieces, once faces have failed, and tells modules and the
+     * user of them. Collective. */
+    void
+    follow_fragments();
+
     /** Writes a checkpoint of the state between two steps. Collective. */
     void
     write_checkpoint();
@@ -167,7 +177,11 @@ namespace rift
     void
     finish_failed(const std::string &message);
 
-    /** Says how the run has ended, with warnings. */
+    /** Warnings about what the run has come to. */
+    void
+    warn_of_results(const FaceCounts &faces);
+
+    /** Says how the run has ended. */
     void
     log_end(const FaceCounts &faces);
 
@@ -222,6 +236,7 @@ namespace rift
     const MeshData                   mesh;
     Body                             body;
     Modules                          modules;
+    FragmentWatch                    fragment_watch;
 
     CriticalTimeStep critical{};
     StepChoice       steps{};

@@ -6,6 +6,7 @@
 #include <iosfwd>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace rift
 {
@@ -46,6 +47,18 @@ namespace rift
     void
     write(const std::string &line);
 
+    /** Writes a line that begins with WARNING. */
+    void
+    warn(const std::string &text);
+
+    /** The texts of all warnings so far, each once; after reopen() those in the
+     * file, too. */
+    const std::vector<std::string> &
+    warnings() const
+    {
+      return all_warnings;
+    }
+
     /** Whether a line could not be written to the file. */
     bool
     has_failed() const
@@ -71,10 +84,14 @@ namespace rift
     void
     take(std::unique_ptr<OutputFile> new_file);
 
+    void
+    remember_warning(const std::string &text);
+
     std::ostream *const         terminal;
     const bool                  interactive;
     bool                        status_is_shown = false;
     std::string                 earlier_lines, failure;
+    std::vector<std::string>    all_warnings;
     std::unique_ptr<OutputFile> file;
   };
 

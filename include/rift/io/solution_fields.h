@@ -21,7 +21,7 @@ namespace rift
   /**
    * Declares what tells cells apart in solid.pvd: material and fragment.
    *
-   * @param fragments number for each cell slot; see number_fragments(). They
+   * @param fragments number for each cell slot; see find_fragments(). They
    *   are looked at only when values are asked for.
    */
   void

@@ -23,6 +23,9 @@ namespace rift
      * `completed` says which, and only a run that has failed has this key. */
     std::string stopped_by;
 
+    /** The warnings of the run, as in its log. */
+    std::vector<std::string> warnings;
+
     std::uint64_t cells         = 0;
     std::uint64_t nodes_initial = 0;
     std::uint64_t nodes_final   = 0;

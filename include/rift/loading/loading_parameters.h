@@ -1,10 +1,12 @@
 #ifndef rift_loading_loading_parameters_h
 #define rift_loading_loading_parameters_h
 
+#include <rift/base/parameter_errors.h>
 #include <rift/base/parameter_file.h>
 #include <rift/base/vector3.h>
 
 #include <string>
+#include <vector>
 
 namespace dealii
 {
@@ -32,6 +34,9 @@ namespace rift
     /** Prescribed components of the velocity, m/s. */
     std::array<std::string, 3> velocity;
 
+    /** Whether pressure and traction end on a face whose cell comes off. */
+    bool acts_while_attached = false;
+
     /** Whether waves leave the body here. */
     bool absorbs = false;
 
@@ -52,6 +57,10 @@ namespace rift
      */
     void
     check() const;
+
+    /** Entries without effect at these values. */
+    std::vector<InertEntries>
+    inert_entries() const;
   };
 } // namespace rift
 

@@ -68,17 +68,21 @@ namespace rift
       energies["loads"].add(work_done.sum());
     }
 
-    void
-    save(const Discretization &, Archive &archive) const override
+    bool
+    needs_fragments() const override
     {
-      work_done.save(archive_name, archive);
+      return acts_while_attached;
     }
 
+    std::vector<std::string>
+    follow_fragments(const Fragments    &fragments,
+                     const Communicator &communicator) override;
+
     void
-    load(const Discretization &, const Archive &archive) override
-    {
-      work_done.load(archive_name, archive);
-    }
+    save(const Discretization &, Archive &archive) const override;
+
+    void
+    load(const Discretization &, const Archive &archive) override;
 
     /** Adds the forces at `state.time`: see TimeFunction::mean_around(). */
     void
@@ -104,8 +108,9 @@ namespace rift
 
   private:
     const Topology                            &topology;
-    const std::string                          archive_name;
+    const std::string                          name, archive_name;
     const Surface                              surface;
+    const bool                                 acts_while_attached;
     std::optional<TimeFunction>                pressure;
     std::array<std::optional<TimeFunction>, 3> traction;
 
@@ -115,8 +120,11 @@ namespace rift
     std::vector<std::array<std::uint32_t, 3>> face_positions;
     std::vector<Vector3<double>>              forces;
 
+    /** Whether each face bears the load. */
+    std::vector<std::uint8_t> bears_load;
+
     Work work_done;
-    bool is_loaded = false;
+    bool is_loaded = false, has_warned = false;
   };
 } // namespace rift
 

@@ -4,6 +4,7 @@
 #include <rift/base/stage_timer.h>
 #include <rift/discretization/discretization.h>
 #include <rift/discretization/field_list.h>
+#include <rift/discretization/fragments.h>
 #include <rift/discretization/prescribed_acceleration.h>
 #include <rift/module/energy_table.h>
 #include <rift/module/failures.h>
@@ -182,6 +183,25 @@ namespace rift
     virtual void
     start_openings(StepContext &)
     {
+    }
+
+    /** Whether what it does depends on follow_fragments(), so that the pieces
+     * are to be found often. */
+    virtual bool
+    needs_fragments() const
+    {
+      return false;
+    }
+
+    /** Takes in, from time to time once faces have failed, which pieces there
+     * are. Collective.
+     *
+     * @return sentences for the log, on rank 0, about what makes no sense any
+     *   more; each only once. */
+    virtual std::vector<std::string>
+    follow_fragments(const Fragments &, const Communicator &)
+    {
+      return {};
     }
 
     /** Whether it prescribes a component of the velocity of a node. */

@@ -1,14 +1,18 @@
 #include <rift/base/bytes.h>
 #include <rift/base/disjoint_sets.h>
-#include <rift/io/fragment_labels.h>
+#include <rift/discretization/fragment_labels.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 namespace rift
 {
   namespace
   {
+    /** Whether a face connects its cells. */
+    using Connects = std::function<bool(FaceIndex)>;
+
     /** Two labels of one piece. */
     using LabelPair = std::array<GlobalCellIndex, 2>;
 
@@ -17,13 +21,13 @@ namespace rift
      * ghosts it may not know whether it has failed.
      */
     std::vector<GlobalCellIndex>
-    local_labels(const Topology &topology)
+    local_labels(const Topology &topology, const Connects &connects)
     {
       DisjointSets sets(topology.n_cell_slots());
       for (FaceIndex face = 0; face < topology.faces.size(); ++face)
         {
           const CellIndex *cells = topology.faces[face].cells;
-          if (topology.face_states[face] < FaceState::failed &&
+          if (connects(face) &&
               (topology.owns_cell(cells[0]) || topology.owns_cell(cells[1])))
             sets.unite(cells[0], cells[1]);
         }
@@ -60,6 +64,7 @@ namespace rift
     /** Own label and that of the neighbour where a piece leaves the rank. */
     std::vector<LabelPair>
     pairs_at_border(const Topology                     &topology,
+                    const Connects                     &connects,
                     const std::vector<GlobalCellIndex> &labels,
                     const Communicator                 &communicator)
     {
@@ -78,7 +83,7 @@ namespace rift
         topology,
         [&](const int rank, const CellIndex cell, const FaceIndex face) {
           const GlobalCellIndex other = others.at(rank).at(next[rank]++);
-          if (topology.face_states[face] < FaceState::failed)
+          if (connects(face))
             pairs.push_back({{labels[cell], other}});
         });
       sort_unique(pairs);
@@ -107,39 +112,80 @@ namespace rift
         result.push_back({{labels[i], labels[sets.find(i)]}});
       return result;
     }
+
+    /** Asks the owners of ghost cells for their labels. */
+    void
+    label_ghosts(const Topology               &topology,
+                 const Communicator           &communicator,
+                 std::vector<GlobalCellIndex> &labels)
+    {
+      std::map<int, std::vector<GlobalCellIndex>> asked;
+      for (CellIndex cell = 0; cell < labels.size(); ++cell)
+        if (!topology.is_padding(cell) && !topology.owns_cell(cell))
+          asked[topology.cell_owners[cell]].push_back(
+            topology.cell_global_indices[cell]);
+      auto answers = communicator.exchange(asked);
+      for (auto &[rank, cells] : answers)
+        for (GlobalCellIndex &cell : cells)
+          cell = labels[topology.find_cell(cell)];
+      answers = communicator.exchange(answers);
+      for (const auto &[rank, cells] : asked)
+        for (std::size_t i = 0; i < cells.size(); ++i)
+          labels[topology.find_cell(cells[i])] = answers.at(rank).at(i);
+    }
+
+    FragmentLabels
+    label_pieces(const Topology     &topology,
+                 const Communicator &communicator,
+                 const Connects     &connects)
+    {
+      FragmentLabels result{local_labels(topology, connects), {}};
+      const auto     pairs =
+        pairs_at_border(topology, connects, result.of_cell, communicator);
+
+      std::vector<LabelPair> all_pairs;
+      communicator.gather_in_turn(
+        to_bytes(pairs),
+        [&](const std::string &bytes) {
+          const auto more = from_bytes<LabelPair>(bytes);
+          all_pairs.insert(all_pairs.end(), more.begin(), more.end());
+        });
+      std::string bytes = to_bytes(unite(all_pairs));
+      communicator.broadcast(bytes);
+      const auto final_labels = from_bytes<LabelPair>(bytes);
+      const auto final_label  = [&](const GlobalCellIndex label) {
+        const auto at = std::lower_bound(final_labels.begin(),
+                                         final_labels.end(),
+                                         LabelPair{{label, 0}});
+        return at != final_labels.end() && (*at)[0] == label ? (*at)[1] : label;
+      };
+
+      for (CellIndex cell = 0; cell < result.of_cell.size(); ++cell)
+        result.of_cell[cell] = topology.owns_cell(cell) ?
+                                 final_label(result.of_cell[cell]) :
+                                 invalid_index;
+      label_ghosts(topology, communicator, result.of_cell);
+      for (const auto &[own, other] : pairs)
+        result.divided.push_back(final_label(own));
+      std::sort(result.divided.begin(), result.divided.end());
+      result.divided.erase(
+        std::unique(result.divided.begin(), result.divided.end()),
+        result.divided.end());
+      return result;
+    }
   } // namespace
 
   FragmentLabels
   label_fragments(const Topology &topology, const Communicator &communicator)
   {
-    FragmentLabels result{local_labels(topology), {}};
-    const auto pairs = pairs_at_border(topology, result.of_cell, communicator);
-
-    std::vector<LabelPair> all_pairs;
-    communicator.gather_in_turn(to_bytes(pairs), [&](const std::string &bytes) {
-      const auto more = from_bytes<LabelPair>(bytes);
-      all_pairs.insert(all_pairs.end(), more.begin(), more.end());
+    return label_pieces(topology, communicator, [&](const FaceIndex face) {
+      return topology.face_states[face] < FaceState::failed;
     });
-    std::string bytes = to_bytes(unite(all_pairs));
-    communicator.broadcast(bytes);
-    const auto final_labels = from_bytes<LabelPair>(bytes);
-    const auto final_label  = [&](const GlobalCellIndex label) {
-      const auto at = std::lower_bound(final_labels.begin(),
-                                       final_labels.end(),
-                                       LabelPair{{label, 0}});
-      return at != final_labels.end() && (*at)[0] == label ? (*at)[1] : label;
-    };
+  }
 
-    for (CellIndex cell = 0; cell < result.of_cell.size(); ++cell)
-      result.of_cell[cell] = topology.owns_cell(cell) ?
-                               final_label(result.of_cell[cell]) :
-                               invalid_index;
-    for (const auto &[own, other] : pairs)
-      result.divided.push_back(final_label(own));
-    std::sort(result.divided.begin(), result.divided.end());
-    result.divided.erase(
-      std::unique(result.divided.begin(), result.divided.end()),
-      result.divided.end());
-    return result;
+  FragmentLabels
+  label_bodies(const Topology &topology, const Communicator &communicator)
+  {
+    return label_pieces(topology, communicator, [](FaceIndex) { return true; });
   }
 } // namespace rift

@@ -1,5 +1,5 @@
-#ifndef rift_io_fragment_labels_h
-#define rift_io_fragment_labels_h
+#ifndef rift_discretization_fragment_labels_h
+#define rift_discretization_fragment_labels_h
 
 #include <rift/base/communicator.h>
 #include <rift/mesh/topology.h>
@@ -14,7 +14,7 @@ namespace rift
    */
   struct FragmentLabels
   {
-    /** For each cell slot that this rank owns; invalid_index for others. */
+    /** For each cell slot; invalid_index for padding. */
     std::vector<GlobalCellIndex> of_cell;
 
     /** The pieces of this rank that may go on on others, ascending. */
@@ -24,6 +24,11 @@ namespace rift
   /** Finds the pieces over all ranks. Collective. */
   FragmentLabels
   label_fragments(const Topology &topology, const Communicator &communicator);
+
+  /** The same as if no face had failed: the bodies that the pieces come from.
+   * Collective. */
+  FragmentLabels
+  label_bodies(const Topology &topology, const Communicator &communicator);
 } // namespace rift
 
 #endif

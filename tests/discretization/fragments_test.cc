@@ -1,10 +1,9 @@
 // Fragments on several ranks.
 
-#include <rift/io/fragment_labels.h>
-#include <rift/io/fragments.h>
+#include <rift/discretization/fragment_labels.h>
+#include <rift/discretization/fragments.h>
 
 #include "../support/divided_body.h"
-#include "../temporary_directory.h"
 
 using namespace rift;
 using namespace rift::test;
@@ -37,10 +36,12 @@ namespace
     return labels;
   }
 
-  std::vector<Fragment>
-  list(const DiscreteBody &body, const Communicator &communicator)
+  Fragments
+  fragments_of(const DiscreteBody        &body,
+               const Communicator        &communicator,
+               const std::vector<double> &densities = test::densities)
   {
-    return list_fragments(body.topology,
+    return find_fragments(body.topology,
                           body.reference,
                           densities,
                           body.state,
@@ -60,9 +61,9 @@ TEST(Fragments, LabelsAreTheSmallestCells)
       const auto        labels   = label_fragments(topology, all);
       for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
         EXPECT_EQ(labels.of_cell[cell],
-                  topology.owns_cell(cell) ?
-                    expected[topology.cell_global_indices[cell]] :
-                    invalid_index)
+                  topology.is_padding(cell) ?
+                    invalid_index :
+                    expected[topology.cell_global_indices[cell]])
           << "seed " << seed;
 
       // What is on several ranks is known as divided.
@@ -85,13 +86,8 @@ TEST(Fragments, AreTheSameToTheLastBitOnAnyNumberOfRanks)
   for (unsigned int seed = 0; seed < 100; ++seed)
     {
       const DividedBody divided(seed, all);
-      const auto        expected = list(divided.whole, this_rank_alone);
-      const auto        found    = list(divided.local, all);
-      if (!all.is_root())
-        {
-          EXPECT_TRUE(found.empty());
-          continue;
-        }
+      const auto expected = fragments_of(divided.whole, this_rank_alone).list;
+      const auto found    = fragments_of(divided.local, all).list;
       ASSERT_EQ(found.size(), expected.size()) << "seed " << seed;
       for (std::size_t i = 0; i < found.size(); ++i)
         {
@@ -99,7 +95,10 @@ TEST(Fragments, AreTheSameToTheLastBitOnAnyNumberOfRanks)
           EXPECT_EQ(found[i].volume, expected[i].volume);
           EXPECT_EQ(found[i].mass, expected[i].mass);
           EXPECT_EQ(found[i].centre, expected[i].centre);
+          EXPECT_EQ(found[i].displacement, expected[i].displacement);
           EXPECT_EQ(found[i].velocity, expected[i].velocity);
+          EXPECT_EQ(found[i].main_piece, expected[i].main_piece);
+          EXPECT_LE(found[i].main_piece, i);
           if (i > 0)
             {
               EXPECT_LE(found[i].mass, found[i - 1].mass);
@@ -114,24 +113,23 @@ TEST(Fragments, CellsHaveTheNumbersOfTheList)
   for (unsigned int seed = 0; seed < 30; ++seed)
     {
       const DividedBody   divided(seed, all);
-      const DiscreteBody &body     = divided.local;
-      const auto          labels   = brute_force_labels(divided);
-      const auto          expected = list(divided.whole, this_rank_alone);
-      const auto          numbers =
-        number_fragments(body.topology, body.reference, densities, all);
+      const DiscreteBody &body   = divided.local;
+      const auto          labels = brute_force_labels(divided);
+      const auto [list, numbers] = fragments_of(body, all);
       for (CellIndex cell = 0; cell < body.topology.n_cell_slots(); ++cell)
         {
-          if (!body.topology.owns_cell(cell))
+          if (body.topology.is_padding(cell))
             {
               EXPECT_EQ(numbers[cell], invalid_index);
               continue;
             }
-          ASSERT_LT(numbers[cell], expected.size());
+          ASSERT_LT(numbers[cell], list.size());
           const auto n_cells =
             std::count(labels.begin(),
                        labels.end(),
                        labels[body.topology.cell_global_indices[cell]]);
-          EXPECT_EQ(expected[numbers[cell]].n_cells, n_cells);
+          EXPECT_EQ(list[numbers[cell]].n_cells,
+                    static_cast<std::size_t>(n_cells));
         }
     }
 }
@@ -170,14 +168,8 @@ TEST(Fragments, TwoHalvesOfABar)
         }
     }
 
-  const auto fragments = list_fragments(topology,
-                                        body.reference,
-                                        {2000},
-                                        body.state,
-                                        velocities(body.state),
-                                        all);
-  if (!all.is_root())
-    return;
+  const auto  found     = fragments_of(body, all, {2000});
+  const auto &fragments = found.list;
   ASSERT_EQ(fragments.size(), 2u);
   EXPECT_EQ(fragments[0].n_cells, 12u);
   EXPECT_EQ(fragments[1].n_cells, 6u);
@@ -194,16 +186,32 @@ TEST(Fragments, TwoHalvesOfABar)
               0,
               1e-15);
   EXPECT_EQ(norm(fragments[1].velocity), 0);
+  EXPECT_NEAR(norm(fragments[0].displacement - Vector3<double>{{0, 0, .5}}),
+              0,
+              1e-15);
+
+  // Both are of one body; the smaller one has come off.
+  EXPECT_EQ(fragments[0].main_piece, 0u);
+  EXPECT_EQ(fragments[1].main_piece, 0u);
+  for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
+    if (!topology.is_padding(cell))
+      {
+        EXPECT_EQ(found.is_in_main_piece(cell), found.of_cell[cell] == 0);
+      }
 }
 
-TEST(Fragments, File)
+TEST(Fragments, HaveLeftWhenFartherAwayThanTheirSize)
 {
-  const TemporaryDirectory directory;
-  Fragment                 fragment{3, .5, 1000, {{1, 2, 3}}, {{4, 5, 6}}};
-  write_fragments(directory / "f.csv", {fragment, fragment});
-  EXPECT_EQ(read_file(directory / "f.csv"),
-            "fragment,cells,volume [m^3],mass [kg],x [m],y [m],z [m],"
-            "velocity x [m/s],velocity y [m/s],velocity z [m/s]\n"
-            "0,3,0.5,1000,1,2,3,4,5,6\n"
-            "1,3,0.5,1000,1,2,3,4,5,6\n");
+  // The second has come off the first, the third is a body of its own.
+  Fragments fragments;
+  fragments.list.resize(3);
+  fragments.list[1].volume       = 1e-6;
+  fragments.list[0].displacement = {{0, 1, 0}};
+  fragments.list[1].displacement = {{0, 1.009, 0}};
+  fragments.list[2]              = {1, 1e-6, 1, {}, {{7, 7, 7}}, {}, 2};
+  EXPECT_FALSE(fragments.has_left(1));
+  fragments.list[1].displacement = {{.0072, 1.0072, 0}};
+  EXPECT_TRUE(fragments.has_left(1));
+  EXPECT_FALSE(fragments.has_left(0));
+  EXPECT_FALSE(fragments.has_left(2));
 }
