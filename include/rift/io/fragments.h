@@ -16,6 +16,7 @@ namespace rift
    */
   struct Fragment
   {
+    /** Number of its cells. */
     std::size_t n_cells = 0;
 
     /** Volume when undeformed, m^3, and mass, kg. */
