@@ -18,6 +18,8 @@ says 0 "usage: scripts/run [-n RANKS] SCENE.prm" "$scripts/run" --help
 says 0 "usage: scripts/run [-n RANKS] SCENE.prm" "$scripts/run" scene.prm -h
 says 1 '-n wants a number of ranks, not "x"' "$scripts/run" scene.prm -n x
 says 1 '-n wants a number of ranks, not ""' "$scripts/run" scene.prm -n
+says 1 "scripts/documentation needs the package doxygen. Run scripts/install" \
+  env PATH=/nowhere "$BASH" "$scripts/documentation"
 
 python=/usr/bin/python3
 [ -x $python ] || exit 0

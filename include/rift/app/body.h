@@ -18,6 +18,7 @@ namespace rift
     /** The ranks over which the body is spread. */
     Communicator communicator;
 
+    /** What the steps work on: cells, nodes and their state. */
     Discretization discretization;
 
     /** By material index of the mesh. */

@@ -9,6 +9,7 @@ namespace rift
   /** What the user has asked for on the command line. */
   struct CommandLine
   {
+    /** What the program does. */
     enum class Action
     {
       /** Compute the scene. */
@@ -27,6 +28,7 @@ namespace rift
       print_reference
     };
 
+    /** By default the scene is computed. */
     Action action = Action::run;
 
     /** Path of the scene. */
@@ -38,6 +40,7 @@ namespace rift
     /** Go on from the newest checkpoint in the output directory. */
     bool restart = false;
 
+    /** What Action::print_text prints. */
     std::string text;
   };
 

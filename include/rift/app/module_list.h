@@ -30,12 +30,14 @@ namespace rift
     Contact     *contact      = nullptr;
     RigidBodies *rigid_bodies = nullptr;
 
+    /** All modules, in the order in which they act. */
     auto
     begin() const
     {
       return list.begin();
     }
 
+    /** Behind the last module. */
     auto
     end() const
     {

@@ -20,8 +20,11 @@ namespace rift
   /** All that a .prm says, in the order of its file. */
   struct Parameters
   {
+    /** The entry Title; copied to the results. */
     std::string title;
 
+    /** The subsections, with those that have a name in the order of the
+     * file. */
     MeshParameters                  mesh;
     std::vector<MaterialParameters> materials;
     std::vector<BoundaryParameters> boundaries;
@@ -46,6 +49,8 @@ namespace rift
   /** The names that a scene gives to its subsections of each kind. */
   struct SectionNames
   {
+    /** Of subsections Material, Boundary and Probe, in the order of the
+     * file. */
     std::vector<std::string> materials;
     std::vector<std::string> boundaries;
     std::vector<std::string> probes;

@@ -13,6 +13,7 @@ namespace rift
   /** All of a checkpoint, as a simulation needs it to continue. */
   struct Restart
   {
+    /** What the checkpoint says about itself, and its file of the mesh. */
     CheckpointManifest manifest;
     CheckpointFileId   mesh_file;
 
@@ -22,6 +23,7 @@ namespace rift
     /** What all ranks have written. */
     Archive archive;
 
+    /** How far the files of the run had come. */
     SavedResults results;
   };
 
@@ -29,6 +31,7 @@ namespace rift
    * stored where that is not 1. */
   struct CellCost
   {
+    /** The cell, by its global index, and its cost. */
     GlobalCellIndex cell;
     float           cost;
   };

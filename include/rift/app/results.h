@@ -17,6 +17,7 @@ namespace rift
   /** What results are made from, at one time t_n. */
   struct Snapshot
   {
+    /** What is shown, with the energies and the time step, s. */
     const Body         &body;
     const Modules      &modules;
     const EnergyLedger &ledger;
@@ -26,16 +27,20 @@ namespace rift
   /** How far the files of a run have come, for a checkpoint. */
   struct SavedResults
   {
+    /** Numbers of states for ParaView and of rows of the histories. */
     std::uint64_t n_solutions = 0, n_rows = 0;
 
     /** Lengths of probes.csv and energy.csv in bytes. */
     std::uint64_t probes_length = 0, energy_length = 0;
 
+    /** States in solid.pvd and fracture.pvd. */
     std::vector<SolutionSeries::WrittenState> solid, fracture;
 
+    /** Stores it in the file of a checkpoint. */
     void
     write(CheckpointFileWriter &file) const;
 
+    /** Reads what write() has stored. */
     static SavedResults
     read(const CheckpointFileReader &file);
   };
@@ -79,6 +84,7 @@ namespace rift
     SavedResults
     synchronize();
 
+    /** Whether open() has been called. */
     bool
     is_open() const
     {

@@ -44,6 +44,7 @@ namespace rift
   /** What a run knows of itself beyond one division of its cells. */
   struct RunRecord
   {
+    /** The times of the stages, and when cells are divided anew. */
     StageTimer        timer;
     RepartitionPolicy division;
 

@@ -69,30 +69,36 @@ namespace rift
     step();
 
     // What tests look at.
+
+    /** The cells and nodes that this rank sees. */
     const Topology &
     topology() const
     {
       return body.discretization.topology;
     }
 
+    /** Motion and forces of the nodes that this rank sees, at the time t_n. */
     const State &
     state() const
     {
       return body.discretization.state;
     }
 
+    /** The balance of energy, at the last time at which it was due. */
     const EnergyLedger &
     energy_ledger() const
     {
       return ledger;
     }
 
+    /** Length of the time step, s. */
     double
     time_step() const
     {
       return steps.time_step;
     }
 
+    /** Number of the step at the end time. */
     std::uint64_t
     n_steps() const
     {

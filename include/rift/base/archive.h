@@ -27,6 +27,7 @@ namespace rift
   class Archive
   {
   public:
+    /** What an entry holds; see Archive. */
     enum class Kind : std::uint8_t
     {
       list,
@@ -44,6 +45,7 @@ namespace rift
       static_assert(HasPlainBytes<T>::value, "an archive stores no padding");
     }
 
+    /** Adds a value, which must be the same on all ranks. */
     template <typename T>
     void
     write_value(const std::string &name, const T &value)
@@ -52,6 +54,7 @@ namespace rift
       static_assert(HasPlainBytes<T>::value, "an archive stores no padding");
     }
 
+    /** Adds the part of this rank of a sum. */
     void
     write_sum(const std::string &name, const ExactSum &sum)
     {
@@ -72,6 +75,8 @@ namespace rift
       return items;
     }
 
+    /** The value of this name. Throws InputError if there is none of this
+     * size. */
     template <typename T>
     T
     read_value(const std::string &name) const
@@ -83,17 +88,22 @@ namespace rift
       return value;
     }
 
+    /** The part of this rank of the sum of this name. Throws InputError if
+     * there is none. */
     ExactSum
     read_sum(const std::string &name) const;
 
     /** One entry as bytes, for the file that holds it. */
     struct Entry
     {
+      /** What it is, the bytes of one item, and all items one after the
+       * other. */
       Kind          kind;
       std::uint64_t item_size;
       std::string   bytes;
     };
 
+    /** All entries by name. */
     const std::map<std::string, Entry> &
     entries() const
     {

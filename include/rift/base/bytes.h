@@ -8,6 +8,8 @@
 #include <vector>
 
 /**
+ * @file
+ *
  * Plain data as bytes, to be sent to other ranks.
  */
 namespace rift
@@ -38,6 +40,7 @@ namespace rift
     return result;
   }
 
+  /** The items as bytes, without their number. */
   template <typename T>
   std::string
   to_bytes(const std::vector<T> &data)

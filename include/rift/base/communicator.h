@@ -37,12 +37,14 @@ namespace rift
      */
     explicit Communicator(MPI_Comm original);
 
+    /** The number of this rank, from 0. */
     int
     rank() const
     {
       return own_rank;
     }
 
+    /** Number of ranks. */
     int
     size() const
     {
@@ -56,6 +58,7 @@ namespace rift
       return own_rank == 0;
     }
 
+    /** For calls of MPI, and of libraries that make them. */
     MPI_Comm
     mpi() const
     {
@@ -66,6 +69,7 @@ namespace rift
     void
     sum(std::vector<std::int64_t> &numbers) const;
 
+    /** Sum of a number over the ranks. Collective. */
     std::int64_t
     sum(std::int64_t number) const;
 
@@ -73,6 +77,7 @@ namespace rift
     double
     max(double number) const;
 
+    /** Whether the value is true on any rank. Collective. */
     bool
     any(bool value) const;
 
@@ -113,7 +118,8 @@ namespace rift
      * The object of all ranks that comes first, on all ranks. Collective.
      *
      * @tparam T trivially copyable.
-     * @param comes_before(a, b) must tell any two different objects apart.
+     * @param comes_before whether the first of two objects comes before the
+     *   second; must tell any two different objects apart.
      */
     template <typename T, typename Function>
     T
@@ -141,6 +147,7 @@ namespace rift
     void
     send(const std::string &bytes, int to) const;
 
+    /** Waits for what a rank has sent with send(). */
     std::string
     receive(int from) const;
 

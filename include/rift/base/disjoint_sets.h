@@ -16,6 +16,7 @@ namespace rift
   class DisjointSets
   {
   public:
+    /** Makes n sets of one number each. */
     explicit DisjointSets(const std::size_t n)
       : parent(n)
     {

@@ -24,6 +24,7 @@ namespace rift
     void
     add(double term);
 
+    /** Adds the terms of another sum. */
     void
     add(const ExactSum &other);
 
@@ -39,6 +40,7 @@ namespace rift
     sum_over_ranks(const std::vector<ExactSum *> &sums,
                    const Communicator            &communicator);
 
+    /** Digits of 32 bits, over the whole range of a double. */
     static constexpr std::size_t n_digits = 68;
 
     /** The digits, the smallest first, and the number of terms that are not
@@ -49,6 +51,7 @@ namespace rift
     Digits
     digits() const;
 
+    /** The sum of which digits() has been stored. */
     static ExactSum
     from_digits(const Digits &digits);
 

@@ -26,12 +26,14 @@ namespace rift
   class Error : public std::runtime_error
   {
   public:
+    /** An error after which the program ends with this exit code. */
     Error(const ExitCode exit_code, const std::string &message)
       : std::runtime_error(message)
       , exit_code(exit_code)
     {
     }
 
+    /** Exit code of the program. */
     const ExitCode exit_code;
   };
 
@@ -39,6 +41,7 @@ namespace rift
   class InputError : public Error
   {
   public:
+    /** See Error for what the message says. */
     explicit InputError(const std::string &message)
       : Error(ExitCode::input_error, message)
     {
@@ -49,6 +52,7 @@ namespace rift
   class RunError : public Error
   {
   public:
+    /** See Error for what the message says. */
     explicit RunError(const std::string &message)
       : Error(ExitCode::run_error, message)
     {
@@ -62,6 +66,7 @@ namespace rift
   class CollectiveError : public Error
   {
   public:
+    /** The constructor of Error. */
     using Error::Error;
   };
 
@@ -69,6 +74,7 @@ namespace rift
   class DiskError : public Error
   {
   public:
+    /** See Error for what the message says. */
     explicit DiskError(const std::string &message)
       : Error(ExitCode::disk_error, message)
     {

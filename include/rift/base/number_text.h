@@ -5,6 +5,8 @@
 #include <string_view>
 
 /**
+ * @file
+ *
  * Numbers as text, the same in every locale.
  */
 namespace rift

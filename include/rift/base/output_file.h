@@ -7,6 +7,8 @@
 #include <vector>
 
 /**
+ * @file
+ *
  * Files that do not lose data in silence. deal.II's writers and a plain
  * std::ofstream go on as if nothing had happened when the disk is full; here
  * each call to the system is checked, and each failure is a DiskError with the
@@ -99,9 +101,11 @@ namespace rift
   class AtomicFile
   {
   public:
+    /** Opens `path` + ".tmp". Throws DiskError. */
     explicit AtomicFile(const std::string &path);
     ~AtomicFile();
 
+    /** Adds data. Throws DiskError. */
     void
     write(std::string_view data);
 

@@ -19,6 +19,8 @@ namespace rift
   {
     /** Subsection; empty at the top level. */
     std::string section;
+
+    /** Of the entry: its name, value and default value. */
     std::string name;
     std::string value;
     std::string default_value;

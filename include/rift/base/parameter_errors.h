@@ -35,6 +35,7 @@ namespace rift
     /** Entry of the subsection. */
     const std::string name;
 
+    /** What is wrong with the value, a clause. */
     const std::string problem;
   };
 

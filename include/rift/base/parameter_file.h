@@ -13,6 +13,8 @@ namespace rift
   {
     /** Path of subsections, joined by `/`; empty at the top level. */
     std::string section;
+
+    /** Of the entry: its name and value. */
     std::string name;
     std::string value;
 
@@ -28,7 +30,9 @@ namespace rift
   struct ParameterSection
   {
     /** Path of subsections, joined by `/`. */
-    std::string  path;
+    std::string path;
+
+    /** Where it begins. */
     std::string  file;
     unsigned int line = 0;
   };

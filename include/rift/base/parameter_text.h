@@ -6,6 +6,8 @@
 #include <vector>
 
 /**
+ * @file
+ *
  * Small work on the words of a .prm and of messages about it.
  */
 namespace rift

@@ -7,6 +7,8 @@
 #include <cmath>
 
 /**
+ * @file
+ *
  * SIMD arithmetic with the vector types of GCC and Clang. deal.II's
  * VectorizedArray has one lane in Debian's package, and std::experimental::simd
  * lacks the shuffles that the gather and scatter below live on.
@@ -31,32 +33,38 @@ namespace rift
    */
   struct alignas(32) NodalVector
   {
+    /** x, y, z and an unused number. */
     double v[4] = {0, 0, 0, 0};
 
+    /** Component 0, 1 or 2. */
     double &
     operator[](const unsigned int d)
     {
       return v[d];
     }
 
+    /** Component 0, 1 or 2. */
     double
     operator[](const unsigned int d) const
     {
       return v[d];
     }
 
+    /** The three components, for formulas. */
     Vector3<double>
     vector() const
     {
       return {{v[0], v[1], v[2]}};
     }
 
+    /** All four numbers, to be read and written at once. */
     AliasingRow &
     row()
     {
       return reinterpret_cast<AliasingRow &>(v);
     }
 
+    /** All four numbers, to be read at once. */
     const AliasingRow &
     row() const
     {
@@ -81,6 +89,7 @@ namespace rift
     return bits != 0;
   }
 
+  /** The mask itself, so that a law has one text for double and Simd. */
   inline bool
   any(const bool mask)
   {
@@ -90,18 +99,21 @@ namespace rift
   // The functions below exist for double and for Simd, so that a law can be
   // written once for both.
 
+  /** `if_true` in lanes where the mask is true, `if_false` in the others. */
   inline Simd
   select(const SimdMask &mask, const Simd &if_true, const Simd &if_false)
   {
     return mask ? if_true : if_false;
   }
 
+  /** `mask ? if_true : if_false`, for laws with double. */
   inline double
   select(const bool mask, const double if_true, const double if_false)
   {
     return mask ? if_true : if_false;
   }
 
+  /** Lane by lane; the second one where the two do not compare. */
   template <typename Number>
   inline Number
   max(const Number &a, const Number &b)
@@ -109,6 +121,7 @@ namespace rift
     return select(a > b, a, b);
   }
 
+  /** Lane by lane; the second one where the two do not compare. */
   template <typename Number>
   inline Number
   min(const Number &a, const Number &b)
@@ -116,12 +129,14 @@ namespace rift
     return select(a < b, a, b);
   }
 
+  /** As that of Simd, for laws with double. */
   inline double
   sqrt(const double a)
   {
     return std::sqrt(a);
   }
 
+  /** Lane by lane; not a number where negative. */
   inline Simd
   sqrt(const Simd &a)
   {

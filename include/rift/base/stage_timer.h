@@ -25,6 +25,7 @@ namespace rift
     checkpoints
   };
 
+  /** Number of values of Stage. */
   constexpr std::size_t n_stages = 11;
 
   /** Its name in summary.json. */
@@ -101,6 +102,7 @@ namespace rift
       return result;
     }
 
+    /** Time of all stages, s. */
     double
     total() const
     {

@@ -17,6 +17,7 @@ namespace rift
   template <typename Number>
   using Matrix3 = std::array<Vector3<Number>, 3>;
 
+  /** Sum of two vectors. */
   template <typename Number>
   inline Vector3<Number>
   operator+(const Vector3<Number> &a, const Vector3<Number> &b)
@@ -24,6 +25,7 @@ namespace rift
     return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}};
   }
 
+  /** Difference of two vectors. */
   template <typename Number>
   inline Vector3<Number>
   operator-(const Vector3<Number> &a, const Vector3<Number> &b)
@@ -31,6 +33,7 @@ namespace rift
     return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}};
   }
 
+  /** A vector times a number. */
   template <typename Number>
   inline Vector3<Number>
   operator*(const Number &s, const Vector3<Number> &a)
@@ -38,6 +41,7 @@ namespace rift
     return {{s * a[0], s * a[1], s * a[2]}};
   }
 
+  /** Adds a vector to another. */
   template <typename Number>
   inline Vector3<Number> &
   operator+=(Vector3<Number> &a, const Vector3<Number> &b)
@@ -47,6 +51,7 @@ namespace rift
     return a;
   }
 
+  /** Subtracts a vector from another. */
   template <typename Number>
   inline Vector3<Number> &
   operator-=(Vector3<Number> &a, const Vector3<Number> &b)
@@ -56,6 +61,7 @@ namespace rift
     return a;
   }
 
+  /** Scalar product. */
   template <typename Number>
   inline Number
   dot(const Vector3<Number> &a, const Vector3<Number> &b)
@@ -63,6 +69,7 @@ namespace rift
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   }
 
+  /** Vector product. */
   template <typename Number>
   inline Vector3<Number>
   cross(const Vector3<Number> &a, const Vector3<Number> &b)
@@ -72,6 +79,7 @@ namespace rift
              a[0] * b[1] - a[1] * b[0]}};
   }
 
+  /** Euclidean norm. */
   inline double
   norm(const Vector3<double> &a)
   {
@@ -86,6 +94,7 @@ namespace rift
     return {{dot(m[0], a), dot(m[1], a), dot(m[2], a)}};
   }
 
+  /** Determinant of a matrix. */
   template <typename Number>
   inline Number
   determinant(const Matrix3<Number> &m)
@@ -93,6 +102,7 @@ namespace rift
     return dot(m[0], cross(m[1], m[2]));
   }
 
+  /** Product of two matrices. */
   template <typename Number>
   inline Matrix3<Number>
   operator*(const Matrix3<Number> &a, const Matrix3<Number> &b)

@@ -22,6 +22,8 @@ namespace rift
     /** Elastic, less what the faces were given when they began to open and
      * have not drawn from the body since. */
     ExactSum recoverable;
+
+    /** Used up until now, by fracture and by friction. */
     ExactSum fracture;
     ExactSum friction;
   };
@@ -50,6 +52,7 @@ namespace rift
   /** What every cohesive element remembers, for a checkpoint. */
   struct CohesiveFaceRecord
   {
+    /** The face, by a name that all ranks share. */
     FaceName face;
 
     /** CohesiveFaceInfo; s. */
@@ -69,6 +72,7 @@ namespace rift
   /** Cohesive elements in a checkpoint. */
   struct CohesiveRecords
   {
+    /** One record for each cohesive element. */
     std::vector<CohesiveFaceRecord> faces;
 
     /** What their Gauss points remember by the name of each field of their law:

@@ -18,12 +18,15 @@ namespace rift
   class CohesiveElementsOf final : public CohesiveElements
   {
   public:
+    /** What the law remembers at a point, and what the points of a face
+     * share. */
     using Point     = typename Law::template Point<double>;
     using Constants = typename Law::template Constants<double>;
 
     static_assert(has_all_fields<Point>() && has_all_fields<Constants>(),
                   "what fields() does not list is lost in checkpoints");
 
+    /** The arguments but the last must outlive this object. */
     CohesiveElementsOf(CohesiveFaces       &faces,
                        const Topology      &topology,
                        const FaceStrengths &strengths,
@@ -64,6 +67,8 @@ namespace rift
             const std::vector<std::size_t> &indices) override;
 
     // What tests look at.
+
+    /** The constants of the law for a face, by index in CohesiveFaces. */
     Constants
     constants(const std::size_t face) const
     {
@@ -80,6 +85,7 @@ namespace rift
         face % batch_size);
     }
 
+    /** Sets what Gauss point q of a face remembers. */
     void
     set_point(const std::size_t face, const unsigned int q, const Point &value)
     {

@@ -23,6 +23,7 @@ namespace rift
    */
   struct FaceQuadrature
   {
+    /** The rule, by point: shape functions by corner, and weights. */
     std::array<std::array<double, 3>, n_face_points> shape;
     std::array<double, n_face_points>                weight;
 
@@ -42,12 +43,14 @@ namespace rift
     std::array<Vector3<Simd>, 2> edges;
     Simd                         area;
 
+    /** Lanes in use, from the first. */
     unsigned int n_faces;
   };
 
   /** The rest of what is known of a cohesive element, one by one. */
   struct CohesiveFaceInfo
   {
+    /** The face, by its index in Topology::faces. */
     FaceIndex face;
 
     /** Times at which the first nodes parted (0 in the intrinsic model) and at
@@ -69,14 +72,17 @@ namespace rift
   class CohesiveFaces
   {
   public:
+    /** Both must outlive this object, which changes states of faces. */
     CohesiveFaces(Topology &topology, const ReferenceCellData &reference);
 
+    /** Number of cohesive elements that this rank computes. */
     std::size_t
     size() const
     {
       return infos.size();
     }
 
+    /** Whether a face has a cohesive element. */
     bool
     has(const FaceIndex face) const
     {
@@ -102,18 +108,21 @@ namespace rift
     void
     update_nodes(const std::vector<VertexIndex> &vertices);
 
+    /** The state of the face of an element. */
     FaceState
     state(const std::size_t index) const
     {
       return topology.face_states[infos[index].face];
     }
 
+    /** Whether the face of an element has begun to open. */
     bool
     has_opened(const std::size_t index) const
     {
       return state(index) >= FaceState::opening;
     }
 
+    /** Whether this rank counts the element in sums over all ranks. */
     bool
     is_owned(const std::size_t index) const
     {
@@ -152,6 +161,7 @@ namespace rift
     bool
     is_at_rest(std::size_t batch, const Activity &activity) const;
 
+    /** The elements by eight, and one by one, in the same order. */
     std::vector<CohesiveBatch>    batches;
     std::vector<CohesiveFaceInfo> infos;
 

@@ -17,6 +17,7 @@ namespace rift
     /** Faces with a cohesive element, and those that have begun to open. */
     std::uint64_t inserted = 0, opened = 0;
 
+    /** Faces that have lost all their strength. */
     std::uint64_t failed = 0;
 
     /** Faces that have opened though the mesh is too coarse for their fracture
@@ -152,6 +153,7 @@ namespace rift
       cohesive_faces.contact_interval = interval;
     }
 
+    /** The faces with a cohesive element. */
     const CohesiveFaces &
     faces() const
     {

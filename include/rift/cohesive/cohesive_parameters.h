@@ -22,8 +22,10 @@ namespace rift
   /** The cohesive zone model: subsection `Fracture` of the .prm. */
   struct CohesiveParameters
   {
+    /** Which faces have an element, and from when. */
     using Model = CohesiveModel;
 
+    /** The entry Cohesive model. */
     Model model = Model::none;
 
     /** The name of one of the CohesiveLaws. */

@@ -9,6 +9,7 @@ namespace rift
   /** Where the eight faces of a batch are now. */
   struct FaceKinematics
   {
+    /** Reads the displacements of the nodes of a batch. */
     FaceKinematics(const CohesiveBatch &batch, const State &state);
 
     /** Jump at a Gauss point in the frame of the face, m. */
@@ -38,6 +39,7 @@ namespace rift
   /** Forces on the corners of the two sides of eight faces, N. */
   struct FaceForces
   {
+    /** Force on each corner, in the frame of the mesh. */
     std::array<Vector3<Simd>, 3> minus, plus;
   };
 

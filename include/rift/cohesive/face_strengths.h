@@ -52,9 +52,11 @@ namespace rift
                   const CohesiveParameters              &parameters,
                   const Communicator &communicator = Communicator());
 
+    /** Whether a cohesive element may be inserted at an interior face. */
     bool
     is_breakable(FaceIndex face) const;
 
+    /** The strength of an interior face, with scatter and direction. */
     FaceStrength
     strength(FaceIndex face) const;
 

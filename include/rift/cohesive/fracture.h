@@ -12,10 +12,11 @@ namespace rift
   {
   public:
     /**
-     * @param body,
-     * @param internal_force which finds the cells near their strength,
-     * @param materials and
-     * @param stiffnesses, by material index, must outlive this object.
+     * The body, and materials and stiffnesses, both by material index, must
+     * outlive this object.
+     *
+     * @param internal_force finds the cells near their strength; must outlive
+     *   this object.
      */
     Fracture(Discretization                        &body,
              InternalForce                         &internal_force,

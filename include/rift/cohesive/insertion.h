@@ -28,6 +28,7 @@ namespace rift
   class Insertion
   {
   public:
+    /** All arguments but the parameters must outlive this object. */
     Insertion(const Topology           &topology,
               const ReferenceCellData  &reference,
               const InternalForce      &internal_force,

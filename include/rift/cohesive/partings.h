@@ -16,11 +16,13 @@ namespace rift
   /** A corner of a face that has been cut, and its node on both sides. */
   struct CutCorner
   {
+    /** The face, by its index in Topology::faces. */
     FaceIndex face;
 
     /** 0, 1, 2 as seen from the minus side; see face_corners. */
     std::uint8_t corner;
 
+    /** The nodes of the cells on its minus and its plus side. */
     NodeIndex minus, plus;
   };
 
@@ -36,6 +38,7 @@ namespace rift
   class Partings
   {
   public:
+    /** Both must outlive this object. */
     Partings(const Topology &topology, const ReferenceCellData &reference);
 
     /** Takes in which nodes have parted in this step. */

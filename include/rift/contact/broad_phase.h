@@ -13,6 +13,7 @@ namespace rift
   /** A box along the axes, m. */
   struct Box
   {
+    /** The corners with the smallest and the largest coordinates. */
     Vector3<double> lower, upper;
   };
 
@@ -29,15 +30,18 @@ namespace rift
   /** Numbers of two boxes, the smaller first. */
   struct BoxPair
   {
+    /** Positions in the list of boxes. */
     std::uint32_t first, second;
   };
 
+  /** By the first number, then by the second. */
   inline bool
   operator<(const BoxPair &a, const BoxPair &b)
   {
     return a.first != b.first ? a.first < b.first : a.second < b.second;
   }
 
+  /** Whether both numbers are equal. */
   inline bool
   operator==(const BoxPair &a, const BoxPair &b)
   {

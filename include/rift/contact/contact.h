@@ -18,6 +18,7 @@ namespace rift
     /** Whether nothing but prescribed velocities moves a material. */
     std::vector<bool> is_driven;
 
+    /** Number of bodies, on all ranks the same. */
     std::uint32_t n_bodies = 0;
   };
 
@@ -26,9 +27,9 @@ namespace rift
   {
   public:
     /**
-     * @param body,
-     * @param materials and
-     * @param stiffnesses, by material index, must outlive this object.
+     * The body, and materials and stiffnesses, both by material index, must
+     * outlive this object.
+     *
      * @param fracture what breaks; null: nothing does.
      */
     Contact(Discretization                        &body,

@@ -23,11 +23,14 @@ namespace rift
   /** A cell that may touch others, as its owner tells other ranks of it. */
   struct ContactCell
   {
+    /** The cell, the rank that owns it, its material and what contact knows of
+     * both. */
     GlobalCellIndex      cell;
     int                  owner;
     std::uint32_t        material;
     ContactCellConstants constants;
 
+    /** Where it is, and how it moves. */
     CellMotion motion;
 
     /** Name of the node at each corner: its first cell and the corner there.

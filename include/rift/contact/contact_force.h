@@ -17,6 +17,7 @@ namespace rift
   /** Energies of the pairs that this rank owns, J. */
   struct ContactEnergy
   {
+    /** Of overlaps and springs now; used up by friction and by damping. */
     ExactSum elastic, friction, damping;
   };
 
@@ -24,6 +25,7 @@ namespace rift
    * their outsides apart. */
   struct DeepOverlap
   {
+    /** Global indices of the two cells. */
     GlobalCellIndex a, b;
   };
 
@@ -44,6 +46,7 @@ namespace rift
   class ContactForce
   {
   public:
+    /** Steps between two searches when something has broken. */
     static constexpr std::uint64_t crack_interval = 10;
 
     /** What contact has to know of the body, the cracks and the materials. */
@@ -58,6 +61,7 @@ namespace rift
       /** Damping over the critical one. */
       double damping;
 
+      /** Whether something else holds the two sides of a face. */
       ContactSurface::IsHeld is_held;
 
       /** Changes with all that has happened to cracks. */

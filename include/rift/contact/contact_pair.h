@@ -8,6 +8,7 @@ namespace rift
   /** Where the corners of a cell are, m, and their velocities, m/s. */
   struct CellMotion
   {
+    /** Of the four corners. */
     Tetrahedron                    positions;
     std::array<Vector3<double>, 4> velocities;
   };

@@ -13,6 +13,7 @@ namespace rift
   /** Contact: subsection `Contact` of the .prm. */
   struct ContactParameters
   {
+    /** Whether there is contact. */
     bool is_active = false;
 
     /** Coefficient of friction between all materials... */
@@ -21,9 +22,13 @@ namespace rift
     /** ... but these. */
     struct PairFriction
     {
+      /** Names of two materials, and the coefficient of friction between
+       * them. */
       std::string first, second;
       double      coefficient;
     };
+
+    /** The pairs of materials that the scene names. */
     std::vector<PairFriction> pair_frictions;
 
     /** Damping of approach and parting over the critical one; 0: none. */

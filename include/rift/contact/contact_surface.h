@@ -16,6 +16,8 @@ namespace rift
   class ContactSurface
   {
   public:
+    /** Takes in the cells at the outer surface. The topology must outlive this
+     * object. */
     explicit ContactSurface(const Topology &topology);
 
     /** Takes in the cells around the vertices of a face that has opened. */

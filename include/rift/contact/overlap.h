@@ -42,6 +42,7 @@ namespace rift
   class FacePlanes
   {
   public:
+    /** The planes of a tetrahedron of positive volume. */
     explicit FacePlanes(const Tetrahedron &t);
 
     /** From the face from which another tetrahedron is farthest, m: they have

@@ -32,6 +32,7 @@ namespace rift
     /** The ranks that see a cell of this rank, itself included; ascending. */
     using Subscribers = std::function<std::vector<int>(const ContactCell &)>;
 
+    /** The communicator must outlive this object. */
     Rendezvous(const Communicator &communicator, Subscribers subscribers);
 
     /**

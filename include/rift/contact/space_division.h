@@ -28,6 +28,7 @@ namespace rift
                   double                     edge,
                   std::vector<std::uint64_t> first_keys);
 
+    /** The rank that owns a point, m. */
     int
     rank_of(const Vector3<double> &point) const;
 

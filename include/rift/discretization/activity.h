@@ -25,6 +25,7 @@ namespace rift
 
     Activity() = default;
 
+    /** All batches are asleep; see wake_all(). */
     explicit Activity(const Topology &topology);
 
     /** Whether a batch must be computed. */
@@ -52,6 +53,7 @@ namespace rift
     void
     grow(std::size_t n_nodes);
 
+    /** Makes all batches and nodes move again. */
     void
     wake_all(const Topology &topology);
 

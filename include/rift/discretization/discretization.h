@@ -20,6 +20,8 @@ namespace rift
     /** The ranks among which the body is divided. */
     Communicator communicator;
 
+    /** The cells, what does not change of them, the motion of their nodes, what
+     * ranks tell each other of it, and which cells are at rest. */
     Topology          topology;
     ReferenceCellData reference;
     State             state;

@@ -12,6 +12,8 @@
 #include <vector>
 
 /**
+ * @file
+ *
  * The fields of a run by name, for output and probes. Who has a quantity
  * declares it with one call of FieldList::add(): its name, its unit, where it
  * lives, and how it is computed. Nobody else knows it.
@@ -48,8 +50,10 @@ namespace rift
     return unit.empty() ? name : name + " [" + unit + "]";
   }
 
+  /** A field that output and probes can show, and how it is read. */
   struct Field
   {
+    /** Name and SI unit, what it has values of, and when it is written. */
     std::string   name;
     std::string   unit;
     FieldLocation location;
@@ -117,6 +121,7 @@ namespace rift
       return the_state;
     }
 
+    /** Length of the time step, s; zero in a list of names alone. */
     double
     time_step() const
     {
@@ -126,9 +131,9 @@ namespace rift
     /**
      * Declares a field of nodes, cells or cohesive faces.
      *
-     * @param value(std::size_t item) its value for one of them, in SI units:
-     *   a double, a Vector3<double> or a symmetric tensor (std::array of six,
-     *   xx yy zz yz xz xy).
+     * @param value called with an index (std::size_t), returns the value of that
+     *   item in SI units: a double, a Vector3<double> or a symmetric tensor
+     *   (std::array of six, xx yy zz yz xz xy).
      */
     template <typename Function>
     Field &
@@ -161,8 +166,8 @@ namespace rift
     /**
      * Declares a vector that rigid materials have.
      *
-     * @param parts(const std::string &material) the part of this rank in its
-     *   components, as ExactSum.
+     * @param parts called with the name of a material, returns the part of this
+     *   rank in the components, as ExactSum.
      */
     template <typename Function>
     void
@@ -182,12 +187,14 @@ namespace rift
          }});
     }
 
+    /** The first field, in the order of their declaration. */
     std::vector<Field>::const_iterator
     begin() const
     {
       return fields.begin();
     }
 
+    /** Behind the last field. */
     std::vector<Field>::const_iterator
     end() const
     {
@@ -213,8 +220,10 @@ namespace rift
   /** Which fields are written: by their names, `default` or `all`. */
   struct FieldSelection
   {
+    /** As in the scene, without commas. */
     std::vector<std::string> words = {"default"};
 
+    /** Whether a field is written. */
     bool
     includes(const Field &field) const
     {

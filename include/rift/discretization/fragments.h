@@ -15,14 +15,16 @@ namespace rift
    */
   struct Fragment
   {
+    /** Number of cells. */
     std::uint64_t n_cells = 0;
 
     /** Volume when undeformed, m^3, and mass, kg. */
     double volume = 0, mass = 0;
 
     /** Centre of mass now, its displacement, m, and its velocity, m/s. */
-    Vector3<double> centre = {{0, 0, 0}}, displacement = {{0, 0, 0}},
-                    velocity = {{0, 0, 0}};
+    Vector3<double> centre       = {{0, 0, 0}};
+    Vector3<double> displacement = {{0, 0, 0}};
+    Vector3<double> velocity     = {{0, 0, 0}};
 
     /** Position in the list of the largest piece of the same body: cells that
      * hung together at the start. */

@@ -12,6 +12,7 @@ namespace rift
   /** A corner of a face at which its two sides have just parted. */
   struct OpeningCorner
   {
+    /** The face, by its index in Topology::faces. */
     FaceIndex face;
 
     /** 0, 1, 2 as seen from the minus side; see face_corners. */
@@ -49,7 +50,11 @@ namespace rift
     GhostExchange(const GhostExchange &) = delete;
     GhostExchange &
     operator=(const GhostExchange &) = delete;
-    GhostExchange(GhostExchange &&)  = default;
+
+    /** Can be moved, but not copied. */
+    GhostExchange(GhostExchange &&) = default;
+
+    /** As the constructor. */
     GhostExchange &
     operator=(GhostExchange &&) = default;
 
@@ -61,7 +66,7 @@ namespace rift
     /**
      * Sends what others need after the drift; does not wait.
      *
-     * @param splits and
+     * @param splits of this step at complete vertices.
      * @param openings of this step at complete vertices.
      */
     void
@@ -73,6 +78,8 @@ namespace rift
     /** What a crack has changed at incomplete vertices. */
     struct Change
     {
+      /** Vertices at which corners have other nodes, and faces that open
+       * there. */
       std::vector<VertexIndex>   vertices;
       std::vector<OpeningCorner> openings;
     };

@@ -38,12 +38,14 @@ namespace rift
     double        time = 0;
     std::uint64_t step = 0;
 
+    /** Number of nodes; it grows as nodes split. */
     std::size_t
     n_nodes() const
     {
       return mass.size();
     }
 
+    /** Makes room for this many nodes; new ones are zero. */
     void
     resize(const std::size_t n_nodes)
     {
@@ -51,6 +53,7 @@ namespace rift
       mass.resize(n_nodes);
     }
 
+    /** Where a node is now, m. */
     Vector3<double>
     position(const NodeIndex node) const
     {

@@ -16,6 +16,7 @@ namespace rift
   class Work
   {
   public:
+    /** The topology must outlive this object. */
     explicit Work(const Topology &topology)
       : topology(topology)
     {
@@ -72,6 +73,7 @@ namespace rift
       archive.write_sum(name + ": work after the kick", after_kick);
     }
 
+    /** Continues from what save() has written under this name. */
     void
     load(const std::string &name, const Archive &archive)
     {

@@ -13,6 +13,8 @@
 #include <vector>
 
 /**
+ * @file
+ *
  * One file of a checkpoint: named blocks of numbers, each with a checksum.
  * doc/architecture.md, "Checkpoints", has the format and says why it is none of
  * those that deal.II offers.
@@ -45,6 +47,7 @@ namespace rift
     /** Of all blocks, as it stands at the end of the file. */
     std::uint64_t checksum = 0;
 
+    /** Whether both are the same file, as far as size and checksum tell. */
     bool
     operator==(const CheckpointFileId &other) const
     {
@@ -81,6 +84,7 @@ namespace rift
       write_block(name, sizeof(T), &value, 1);
     }
 
+    /** Adds a block with a text. */
     void
     write_text(const std::string &name, const std::string &text)
     {
@@ -128,6 +132,7 @@ namespace rift
     CheckpointFileReader(const std::string      &path,
                          const CheckpointFileId &expected);
 
+    /** Length and checksum of the file. */
     const CheckpointFileId &
     id() const
     {
@@ -164,6 +169,8 @@ namespace rift
       return values.front();
     }
 
+    /** The text of the block of this name. Throws CheckpointDamaged if there is
+     * none. */
     std::string
     read_text(const std::string &name) const
     {

@@ -23,20 +23,24 @@ namespace rift
   class CheckpointFolder
   {
   public:
+    /** The folder `checkpoint` in a directory of results. Touches nothing. */
     explicit CheckpointFolder(const std::string &output_directory);
 
+    /** Path of the folder. */
     std::string
     path() const
     {
       return folder;
     }
 
+    /** Path of the file of the mesh, which all sets share. */
     std::string
     mesh() const
     {
       return folder + "/mesh";
     }
 
+    /** Path of the set of a step when it is finished. */
     std::string
     set(const std::uint64_t step) const
     {
@@ -46,6 +50,7 @@ namespace rift
     /** A folder in which a set is or was meant to be. */
     struct Set
     {
+      /** The step in its name, and where it is. */
       std::uint64_t step;
       std::string   path;
 

@@ -12,6 +12,7 @@ namespace rift
   /** What a set says about itself. */
   struct CheckpointManifest
   {
+    /** Number of the step at which the run goes on. */
     std::uint64_t step = 0;
 
     /** Simulated time, s. */
@@ -20,11 +21,13 @@ namespace rift
     /** Text of the parameters with which the run was computed. */
     std::string parameters;
 
+    /** The file of the mesh that belongs to it. */
     CheckpointFileId mesh;
 
     /** One file for each rank that has written. */
     std::vector<CheckpointFileId> ranks;
 
+    /** Adds it to a file, from which read() reads it. */
     void
     write(CheckpointFileWriter &file) const;
 
@@ -36,6 +39,8 @@ namespace rift
   /** A set of files in a CheckpointFolder, from which a run can go on. */
   struct CheckpointSet
   {
+    /** Paths of the file of the mesh and of the set, and what the set says
+     * about itself. */
     std::string        mesh_path;
     std::string        path;
     CheckpointManifest manifest;
@@ -43,6 +48,8 @@ namespace rift
     /** Sentences: what is wrong with the newer ones, if there are any. */
     std::vector<std::string> damaged;
 
+    /** Opens the file of the mesh. Throws CheckpointDamaged if it is not the
+     * one that is meant. */
     CheckpointFileReader
     read_mesh() const;
 

@@ -77,6 +77,7 @@ namespace rift
     void
     status(const std::string &text);
 
+    /** Whether it writes to a terminal, which can show a bar. */
     bool
     is_interactive() const;
 

@@ -54,12 +54,14 @@ namespace rift
     /** A component of a field; see FieldList. */
     struct Component
     {
+      /** Name, unit and place of the field, and which of its components. */
       std::string   name     = "velocity";
       std::string   unit     = "m/s";
       FieldLocation location = FieldLocation::node;
       std::size_t   index    = 0;
     };
 
+    /** The column, and what it shows if no material is given. */
     std::string name;
     Component   field;
 

@@ -50,6 +50,7 @@ namespace rift
     void
     finish();
 
+    /** A clock that never goes back. */
     static Clock
     steady_clock();
 

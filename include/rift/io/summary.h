@@ -17,6 +17,7 @@ namespace rift
    */
   struct Summary
   {
+    /** Version of rift. */
     std::string version;
 
     /** Why the run has failed; empty if it has come to its end. In the file
@@ -26,6 +27,7 @@ namespace rift
     /** The warnings of the run, as in its log. */
     std::vector<std::string> warnings;
 
+    /** Numbers of cells, of nodes at the start and at the end, and of steps. */
     std::uint64_t cells         = 0;
     std::uint64_t nodes_initial = 0;
     std::uint64_t nodes_final   = 0;
@@ -36,11 +38,15 @@ namespace rift
     double      time_step = 0;
     std::string time_step_limited_by;
 
+    /** Ranks, time of the run on the clock, s, speed, and the largest memory of
+     * all ranks together, bytes. */
     unsigned int  ranks                 = 1;
     double        wall_seconds          = 0;
     double        cell_steps_per_second = 0;
     std::uint64_t peak_memory_bytes     = 0;
 
+    /** Faces with a cohesive element and those of them that have failed,
+     * fragments, and pairs in contact at the end. */
     std::uint64_t faces_inserted = 0;
     std::uint64_t faces_broken   = 0;
     std::uint64_t fragments      = 0;

@@ -8,6 +8,8 @@
 #include <vector>
 
 /**
+ * @file
+ *
  * Output for ParaView: one .vtu file for each state and a .pvd file that lists
  * them with their times. On many ranks each makes a piece of its own cells, and
  * a state is a file for each group of ranks, with their pieces. A node at which
@@ -53,6 +55,8 @@ namespace rift
   class SolutionSeries
   {
   public:
+    /** Writes nothing before write() is called. `ranks_per_file`: see
+     * write_vtu(). */
     SolutionSeries(const std::string  &directory,
                    const std::string  &name,
                    const Communicator &communicator   = {},
@@ -71,6 +75,7 @@ namespace rift
      * is not the same after a restart on another number of ranks. */
     struct WrittenState
     {
+      /** Its time, s, and the number of its files. */
       double time;
       int    n_files;
     };

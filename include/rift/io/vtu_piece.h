@@ -46,6 +46,7 @@ namespace rift
     /** Indices into `points`, cell after cell. */
     std::vector<NodeIndex> cells;
 
+    /** Fields of the points and of the cells. */
     std::vector<OutputField> point_data;
     std::vector<OutputField> cell_data;
   };

@@ -23,6 +23,7 @@ namespace rift
     /** One of the surfaces, and its name in the scene. */
     struct Boundary
     {
+      /** The name, for messages, and the faces. */
       std::string name;
       Surface     surface;
     };
@@ -32,6 +33,7 @@ namespace rift
       std::function<Matrix3<double>(std::uint16_t          material,
                                     const Vector3<double> &normal)>;
 
+    /** Takes the impedance of the material of each face along its normal. */
     AbsorbingBoundaries(const Topology          &topology,
                         const ReferenceCellData &reference,
                         std::vector<Boundary>    boundaries,

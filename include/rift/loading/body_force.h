@@ -59,6 +59,7 @@ namespace rift
       energies["loads"].add(work(body.topology, body.state));
     }
 
+    /** Adds its force at t_n to that of each node. */
     void
     add_to(State &state) const
     {

@@ -23,6 +23,7 @@ namespace rift
    */
   struct BoundaryParameters
   {
+    /** Name of the surface. */
     std::string name;
 
     /** Pressure on the current surface, positive in compression, Pa. */

@@ -24,13 +24,16 @@ namespace rift
     /** A surface and what is said of it. */
     struct Boundary
     {
+      /** The faces, and the velocities of their nodes. */
       Surface            surface;
       BoundaryParameters parameters;
     };
 
+    /** Reads the functions of time. The topology must outlive this object. */
     PrescribedMotion(const Topology       &topology,
                      std::vector<Boundary> boundaries);
 
+    /** Whether a component of the velocity is prescribed. */
     static bool
     is_needed(const BoundaryParameters &parameters);
 

@@ -26,6 +26,7 @@ namespace rift
                 Surface                   surface,
                 const BoundaryParameters &parameters);
 
+    /** Whether there is a pressure or a traction. */
     static bool
     is_needed(const BoundaryParameters &parameters);
 

@@ -11,6 +11,7 @@ namespace rift
    * measured. */
   struct CrackFit
   {
+    /** The groups, with the densities that have been found. */
     std::vector<CrackGroup> groups;
 
     /** What remains of each measured value, in its unit. */

@@ -29,18 +29,21 @@ namespace rift
     {
     }
 
+    /** Whether it is the same in all directions. */
     bool
     is_isotropic() const
     {
       return values[0] == values[1] && values[1] == values[2];
     }
 
+    /** Smallest of the three values. */
     double
     smallest() const
     {
       return *std::min_element(values.begin(), values.end());
     }
 
+    /** Largest of the three values. */
     double
     largest() const
     {

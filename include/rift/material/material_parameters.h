@@ -29,12 +29,14 @@ namespace rift
      * has them all. */
     struct Elasticity
     {
+      /** Value of the entry Elasticity. */
       static constexpr const char *isotropic    = "isotropic";
       static constexpr const char *anisotropic  = "anisotropic";
       static constexpr const char *microcracked = "microcracked";
       static constexpr const char *rigid        = "rigid";
     };
 
+    /** Name of the material and of its physical volume. */
     std::string name;
 
     /** Mass density, kg/m^3. */
@@ -103,6 +105,7 @@ namespace rift
           const std::string        &name,
           const ParameterFile      &scene);
 
+    /** Whether its cells are rigid bodies. */
     bool
     is_rigid() const
     {

@@ -20,6 +20,7 @@ namespace rift
     {
     }
 
+    /** Number of the signal, 0 if there was none. */
     const int signal;
   };
 

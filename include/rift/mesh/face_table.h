@@ -16,7 +16,9 @@ namespace rift
     struct Side
     {
       /** The two larger vertices of the face, in ascending order. */
-      VertexIndex     middle, largest;
+      VertexIndex middle, largest;
+
+      /** The cell, and the number of the face in it. */
       GlobalCellIndex cell;
       std::uint8_t    local_face;
       /**
@@ -30,18 +32,24 @@ namespace rift
     /** The sides of one face: one on the boundary, two inside the body. */
     struct Range
     {
+      /** The first one, and behind the last. */
       const Side *first, *last;
 
+      /** The first side. */
       const Side *
       begin() const
       {
         return first;
       }
+
+      /** Behind the last side. */
       const Side *
       end() const
       {
         return last;
       }
+
+      /** 1 or 2. */
       std::size_t
       size() const
       {

@@ -16,6 +16,7 @@ namespace rift
    */
   struct NamedFace
   {
+    /** The cell, the number of its face, and the name, as an index. */
     GlobalCellIndex cell;
     std::uint8_t    local_face;
     std::uint16_t   name;

@@ -17,6 +17,7 @@ namespace rift
   /** Where the mesh comes from: subsection Mesh of the .prm. */
   struct MeshParameters
   {
+    /** A file, or a built-in shape. */
     enum class Shape
     {
       file,
@@ -31,6 +32,7 @@ namespace rift
       metis
     };
 
+    /** The entry Shape. */
     Shape shape = Shape::file;
 
     /** A .geo or .msh file, already made relative to the .prm's folder. */
@@ -52,6 +54,7 @@ namespace rift
     /** The only material of a built-in shape. */
     std::string material = "rock";
 
+    /** The entry Partition; it has no influence on results. */
     Partition partition = Partition::curve;
 
     /** Declares the entries of subsection Mesh. */

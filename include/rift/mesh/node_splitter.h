@@ -21,6 +21,7 @@ namespace rift
   /** What split_nodes() has done, for those that hold data of nodes. */
   struct TopologyChange
   {
+    /** The nodes that have split. */
     std::vector<NodeSplit> splits;
 
     /** Interior faces whose state went from intact to cohesive, ascending. */

@@ -11,6 +11,7 @@ namespace rift
   /** A face of one cell. */
   struct CellFace
   {
+    /** The cell, and the number of the face in it. */
     CellIndex    cell;
     std::uint8_t local_face;
   };

@@ -10,6 +10,7 @@ namespace rift
   /** What Topology is made from: one cell that this rank sees. */
   struct LocalCell
   {
+    /** Its index on all ranks, its vertices on this rank, and its material. */
     GlobalCellIndex                    global_index;
     std::array<VertexIndex, n_corners> vertices;
     std::uint16_t                      material;
@@ -21,12 +22,14 @@ namespace rift
   /** The node that each corner of the eight cells of a batch uses. */
   struct alignas(64) BatchNodes
   {
+    /** By corner, then by cell. */
     NodeIndex corner[n_corners][batch_size];
   };
 
   /** The batches [begin, end) whose cells are all of one material. */
   struct MaterialRange
   {
+    /** The material, and its first batch and the one behind its last. */
     std::uint16_t material;
     std::uint32_t begin, end;
   };
@@ -37,6 +40,7 @@ namespace rift
    */
   struct Face
   {
+    /** The cell and the number of the face in it, by side. */
     CellIndex    cells[2];
     std::uint8_t local_faces[2];
   };
@@ -44,6 +48,7 @@ namespace rift
   /** An interior face, for all ranks: cell and local face of its minus side. */
   struct FaceName
   {
+    /** Global index of the cell, and the number of the face in it. */
     GlobalCellIndex cell;
     std::uint32_t   local_face;
   };
@@ -93,6 +98,7 @@ namespace rift
              std::size_t                   n_vertices,
              int                           own_rank = 0);
 
+    /** Number of batches of eight cells. */
     std::size_t
     n_batches() const
     {
@@ -156,30 +162,35 @@ namespace rift
       return owns_cell(faces[face].cells[0]);
     }
 
+    /** Number of nodes on this rank; it grows as nodes split. */
     std::size_t
     n_nodes() const
     {
       return node_vertices.size();
     }
 
+    /** Number of vertices of the mesh that this rank sees. */
     std::size_t
     n_vertices() const
     {
       return vertex_cells_begin.size() - 1;
     }
 
+    /** Whether a cell slot is empty: it fills the last batch of a material. */
     bool
     is_padding(const CellIndex cell) const
     {
       return cell_global_indices[cell] == invalid_index;
     }
 
+    /** The node that a corner of a cell uses. */
     NodeIndex
     node(const CellIndex cell, const unsigned int corner) const
     {
       return batches[cell / batch_size].corner[corner][cell % batch_size];
     }
 
+    /** The vertex at a corner of a cell. */
     VertexIndex
     vertex(const CellIndex cell, const unsigned int corner) const
     {
@@ -211,6 +222,7 @@ namespace rift
       return vertex_cells.data() + vertex_cells_begin[vertex];
     }
 
+    /** End of the range that begins at vertex_cells_first(). */
     const CellIndex *
     vertex_cells_last(const VertexIndex vertex) const
     {
@@ -251,6 +263,8 @@ namespace rift
 
     /** The batches of each material that occurs here, in order. */
     std::vector<MaterialRange> material_ranges;
+
+    /** The material of each batch. */
     std::vector<std::uint16_t> batch_materials;
 
     /**
@@ -261,7 +275,9 @@ namespace rift
     std::vector<std::array<FaceIndex, n_corners>> cell_faces;
 
     /** Interior faces, ascending by (global index of side 0, local face). */
-    std::vector<Face>      faces;
+    std::vector<Face> faces;
+
+    /** What has become of each face. */
     std::vector<FaceState> face_states;
 
     /** The vertex that each node lies at. */

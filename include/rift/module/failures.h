@@ -35,6 +35,7 @@ namespace rift
         first = std::move(failure);
     }
 
+    /** Whether this rank has noted one. */
     bool
     any() const
     {

@@ -18,11 +18,13 @@ namespace rift
   /** What a module sees of the step that is being computed. */
   struct StepContext
   {
+    /** The body, which changes in the step. */
     Discretization &body;
 
     /** s */
     const double time_step;
 
+    /** Takes what goes wrong on this rank. */
     Failures &failures;
 
     /** Acceleration of a component of a node, m/s^2, where a module prescribes
@@ -55,8 +57,10 @@ namespace rift
   class Module
   {
   public:
-    Module()                   = default;
-    Module(const Module &)     = delete;
+    Module()               = default;
+    Module(const Module &) = delete;
+
+    /** Can be moved, but not copied. */
     Module(Module &&) noexcept = default;
     Module &
     operator=(const Module &) = delete;
@@ -90,9 +94,9 @@ namespace rift
 
     /**
      * Refuses what the scene says of it if that cannot have any effect, since
-     * all velocities along its forces are prescribed. Collective.
+     * all velocities along its forces are prescribed. The body is undeformed.
+     * Collective.
      *
-     * @param body undeformed.
      * @throws InputError on all ranks, with the subsection, the entry and its
      *   value.
      */

@@ -27,11 +27,13 @@ namespace rift
   /** What modules need of the time step. */
   struct StepLimits
   {
+    /** No requirements, of this number of materials. */
     explicit StepLimits(const std::size_t n_materials)
       : materials(n_materials)
     {
     }
 
+    /** By material index. */
     std::vector<MaterialRoom> materials;
 
     /** What modules add at most to the square of a frequency of a loose cell,

@@ -110,6 +110,7 @@ namespace rift
       return work_done;
     }
 
+    /** Number of bodies, on all ranks the same. */
     std::uint32_t
     n_bodies() const
     {

@@ -8,6 +8,7 @@ namespace rift
   /** A rotation: cosine of half of the angle, and the axis times the sine. */
   struct Quaternion
   {
+    /** The cosine, and the axis times the sine. */
     double          real = 1;
     Vector3<double> imaginary{};
   };
@@ -20,6 +21,7 @@ namespace rift
   Vector3<double>
   change_by(const Quaternion &rotation, const Vector3<double> &vector);
 
+  /** A vector when it is turned. */
   inline Vector3<double>
   turned(const Quaternion &rotation, const Vector3<double> &vector)
   {
@@ -44,7 +46,9 @@ namespace rift
   {
     /** Of the centre of mass, m. */
     Vector3<double> displacement{};
-    Quaternion      rotation;
+
+    /** About the centre of mass, from the undeformed body. */
+    Quaternion rotation;
 
     /** Of the centre of mass, m/s. */
     Vector3<double> velocity{};

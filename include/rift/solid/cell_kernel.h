@@ -5,6 +5,8 @@
 #include <rift/material/elasticity.h>
 
 /**
+ * @file
+ *
  * The arithmetic of one batch of eight cells: displacement gradient, strain,
  * stress. Used by the internal force, the insertion check, the damping, the
  * ledger and the output, so that each formula stands once.

@@ -39,6 +39,7 @@ namespace rift
   /** A cell that has left the range in which its law makes sense. */
   struct FailedCell
   {
+    /** The cell, by its index on this rank. */
     CellIndex cell;
     /** Volume over reference volume. */
     double volume_ratio;
@@ -103,6 +104,7 @@ namespace rift
       Matrix3<Simd>         first;
     };
 
+    /** Strain and stress of the eight cells of a batch at the time t_n. */
     BatchStress
     stress(const State &state, std::size_t batch) const;
 

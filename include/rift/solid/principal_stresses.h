@@ -37,6 +37,7 @@ namespace rift
              mean + 2 * radius * std::cos(angle + 2 * M_PI / 3)}};
   }
 
+  /** The three principal stresses, the largest first, Pa. */
   inline Vector3<double>
   principal_stresses(const SymmetricTensor<double> &stress)
   {

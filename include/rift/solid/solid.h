@@ -10,8 +10,10 @@ namespace rift
   class Solid : public Module
   {
   public:
-    /** @param laws and
-     * @param material_names one for each material index. */
+    /**
+     * @param laws by material index.
+     * @param material_names by material index.
+     */
     Solid(const Discretization    &body,
           std::vector<Elasticity>  laws,
           std::vector<std::string> material_names)
@@ -20,6 +22,7 @@ namespace rift
     {
     }
 
+    /** The force of the cells, and their stresses. */
     InternalForce &
     internal_force()
     {

@@ -14,6 +14,8 @@ namespace rift
   /** What the bound of the time step depends on in each material. */
   struct MaterialLimits
   {
+    /** The material, its stiffness, Pa, its density, kg/m^3, and its viscosity,
+     * Pa s. */
     std::string     name;
     StiffnessMatrix stiffness;
     double          density;
@@ -30,6 +32,7 @@ namespace rift
   /** The largest safe time step and what limits it. */
   struct CriticalTimeStep
   {
+    /** The step, s. */
     double time_step;
 
     /**

@@ -31,6 +31,7 @@ namespace rift
         std::max(largest_residual, std::abs(relative_residual()));
     }
 
+    /** The terms at the last update, J. */
     const Energies &
     energies() const
     {
@@ -54,12 +55,14 @@ namespace rift
       return input > 0 ? residual() / input : 0;
     }
 
+    /** Stores what the residual is measured from. */
     void
     save(Archive &archive) const
     {
       archive.write_value("ledger", Record{{initial, input, largest_residual}});
     }
 
+    /** Continues from what save() has written. */
     void
     load(const Archive &archive)
     {

@@ -6,6 +6,7 @@
 
 namespace rift
 {
+  /** A list of types. */
   template <typename... Laws>
   struct LawList
   {

@@ -17,6 +17,7 @@ namespace rift
    */
   struct StraightBranch
   {
+    /** The model that it serves, and whether its slope is constant. */
     static constexpr CohesiveModel model       = CohesiveModel::extrinsic;
     static constexpr bool          is_straight = true;
 
@@ -37,6 +38,7 @@ namespace rift
    */
   struct ParabolicBranch
   {
+    /** See StraightBranch. */
     static constexpr CohesiveModel model       = CohesiveModel::intrinsic;
     static constexpr bool          is_straight = false;
     static constexpr double        peak_ratio  = 2;

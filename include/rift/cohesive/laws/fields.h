@@ -8,6 +8,8 @@
 #include <utility>
 
 /**
+ * @file
+ *
  * The list of the members of a structure of numbers, from which everything that
  * has to visit all of them is made: access to a lane, checkpoints, comparisons.
  * Such a structure is a template on the number, `Number` or Vector3<Number> are
@@ -25,10 +27,12 @@ namespace rift
   template <typename Structure, typename Member>
   struct PointField
   {
+    /** Name in checkpoints, and the member. */
     const char *name;
     Member Structure::*member;
   };
 
+  /** A PointField, its types deduced. */
   template <typename Structure, typename Member>
   constexpr PointField<Structure, Member>
   field(const char *name, Member Structure::*const member)
@@ -124,6 +128,7 @@ namespace rift
     return result;
   }
 
+  /** Writes numbers to one lane; the opposite of get_lane(). */
   template <typename Lanes, typename Numbers>
   void
   set_lane(Lanes &lanes, const unsigned int lane, const Numbers &numbers)

@@ -11,6 +11,7 @@ namespace rift
   template <typename Number>
   struct Dissipation
   {
+    /** By fracture and by friction. */
     Number fracture, friction;
   };
 
@@ -21,6 +22,7 @@ namespace rift
   template <typename Number>
   struct Damage
   {
+    /** By opening and by sliding. */
     Number opening, slip;
   };
 } // namespace rift

@@ -29,6 +29,7 @@ namespace rift
      * start, J/m^2. */
     Number owed;
 
+    /** All members with their names; see PointField. */
     static constexpr auto
     fields()
     {
@@ -53,12 +54,14 @@ namespace rift
     /** Pa. */
     Number tensile_strength, cohesion;
 
+    /** Coefficients of friction of the intact and of the failed face. */
     Number tan_friction_angle, residual_friction;
 
     /** Effective jumps at the strength, that is elastic energy over fracture
      * energy, in opening and in sliding. */
     Number opening_compliance, sliding_compliance;
 
+    /** All members with their names; see PointField. */
     static constexpr auto
     fields()
     {
@@ -73,6 +76,7 @@ namespace rift
         field("sliding compliance", &Constants::sliding_compliance));
     }
 
+    /** Coefficient of friction at a damage. */
     Number
     friction_at(const Number &damage) const
     {
@@ -98,18 +102,23 @@ namespace rift
   class LinearSoftening
   {
   public:
+    /** What a Gauss point remembers. */
     template <typename Number>
     using Point = LinearSofteningPoint<Number>;
 
+    /** What the points of a face have in common. */
     template <typename Number>
     using Constants = LinearSofteningConstants<Number>;
 
+    /** The value of the entry Cohesive law, the model that it serves, and what
+     * it does. */
     static constexpr const char   *name  = "linear";
     static constexpr CohesiveModel model = CohesiveModel::extrinsic;
     static constexpr const char   *summary =
       "opening and sliding make one effective jump, with which the traction "
       "softens along a line (eq. 14d of doc/theory.md)";
 
+    /** Of one face. `stiffness` is the slope of the elastic branch, Pa/m. */
     static Constants<double>
     make_constants(const FaceStrength &strength, const double stiffness)
     {
@@ -126,6 +135,7 @@ namespace rift
               compliance(strength.cohesion, strength.fracture_energy_2)};
     }
 
+    /** A point that has not opened. */
     static Point<double>
     make_point(const FaceStrength &, const Constants<double> &constants)
     {
@@ -176,6 +186,7 @@ namespace rift
       return given;
     }
 
+    /** Moves a point to a new jump, m; see MohrCoulomb::update(). */
     template <typename Number>
     Dissipation<Number>
     update(Point<Number>           &point,
@@ -224,6 +235,7 @@ namespace rift
               select(yields, sliding.friction, zero)};
     }
 
+    /** Elastic energy per area at the last update, J/m^2. */
     template <typename Number>
     static Number
     elastic_energy(const Point<Number>     &point,
@@ -232,6 +244,7 @@ namespace rift
       return .5 * dot(point.traction, point.traction) / constants.stiffness;
     }
 
+    /** Part of elastic_energy() that is not to count in the ledger, J/m^2. */
     template <typename Number>
     static Number
     owed_energy(const Point<Number> &point)
@@ -239,6 +252,7 @@ namespace rift
       return point.owed;
     }
 
+    /** The damage by opening and by sliding. */
     template <typename Number>
     static Damage<Number>
     damage(const Point<Number> &point)
@@ -247,6 +261,7 @@ namespace rift
               sqrt(point.sliding)};
     }
 
+    /** Where no strength is left but friction. */
     template <typename Number>
     static auto
     has_failed(const Point<Number> &point)

@@ -36,16 +36,21 @@ namespace rift
   class MohrCoulomb
   {
   public:
+    /** What a Gauss point remembers. */
     template <typename Number>
     using Point = MohrCoulombPoint<Number>;
 
+    /** What the points of a face have in common. */
     template <typename Number>
     using Constants = MohrCoulombConstants<Number>;
 
+    /** The value of the entry Cohesive law, and what it does. */
     static constexpr const char *name = "Mohr-Coulomb";
     static constexpr const char *summary =
       "opening and sliding have an envelope each, which softens with a common "
       "damage along the curve of Munjiza (eq. 14 of doc/theory.md)";
+
+    /** The cohesive model that it serves. */
     static constexpr CohesiveModel model = Branch::model;
 
     /** @param stiffness slope of the elastic branch at its start, Pa/m. */
@@ -137,6 +142,7 @@ namespace rift
       return point.debt;
     }
 
+    /** The damage by opening and by sliding. */
     template <typename Number>
     static Damage<Number>
     damage(const Point<Number> &point)

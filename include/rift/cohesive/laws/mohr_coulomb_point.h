@@ -42,6 +42,7 @@ namespace rift
      * no debt, of opening and of sliding, J/m^2. Fracture uses them up. */
     Number given_opening, given_sliding;
 
+    /** All members with their names; see PointField. */
     static constexpr auto
     fields()
     {
@@ -72,8 +73,10 @@ namespace rift
     /** Of the intact face, Pa. */
     Number tensile_strength, cohesion;
 
+    /** Coefficients of friction of the intact and of the failed face. */
     Number tan_friction_angle, residual_friction;
 
+    /** All members with their names; see PointField. */
     static constexpr auto
     fields()
     {

@@ -12,24 +12,28 @@ namespace rift
    */
   struct AnisotropicElasticity
   {
+    /** The value of the entry Elasticity, and its description there. */
     static constexpr const char *name    = "anisotropic";
     static constexpr const char *meaning = "anisotropic with 21";
 
     /** In the frame of the mesh, shear columns doubled, Pa. */
     StiffnessMatrix matrix;
 
+    /** Entries of subsection Material that it uses. */
     static std::vector<std::string>
     entries()
     {
       return {"Stiffness", "Axis 1", "Axis 2"};
     }
 
+    /** Numbers of its own: none. */
     static std::vector<ElasticConstant>
     constants()
     {
       return {};
     }
 
+    /** Stiffness of a material in its axes, Pa. */
     static StiffnessMatrix
     stiffness(const MaterialParameters &p)
     {
@@ -41,6 +45,7 @@ namespace rift
       return result;
     }
 
+    /** The law of a material, turned into the frame of the mesh. */
     static AnisotropicElasticity
     make(const MaterialParameters &p)
     {

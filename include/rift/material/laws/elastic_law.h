@@ -5,6 +5,8 @@
 #include <rift/material/material_parameters.h>
 
 /**
+ * @file
+ *
  * What elastic laws share. A law is a structure with static members:
  *
  *     name        the word for it in Material/Elasticity
@@ -35,6 +37,7 @@ namespace rift
   /** A number of subsection Material that one law alone uses. */
   struct ElasticConstant
   {
+    /** Name of the entry in subsection Material. */
     std::string name;
 
     /** Ends with "Units: X.". */

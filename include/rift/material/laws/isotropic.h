@@ -11,24 +11,28 @@ namespace rift
    */
   struct IsotropicElasticity
   {
+    /** The value of the entry Elasticity, and its description there. */
     static constexpr const char *name    = "isotropic";
     static constexpr const char *meaning = "isotropic with two constants";
 
     /** Lame's constants, Pa. */
     double lambda, mu;
 
+    /** Entries of subsection Material that it uses. */
     static std::vector<std::string>
     entries()
     {
       return {"Young's modulus", "Poisson's ratio"};
     }
 
+    /** Numbers of its own: none. */
     static std::vector<ElasticConstant>
     constants()
     {
       return {};
     }
 
+    /** The law of a material, from Young's modulus and Poisson's ratio. */
     static IsotropicElasticity
     make(const MaterialParameters &p)
     {
@@ -36,6 +40,7 @@ namespace rift
       return {e * nu / ((1 + nu) * (1 - 2 * nu)), e / (2 * (1 + nu))};
     }
 
+    /** Stiffness of a material, the same in all axes, Pa. */
     static StiffnessMatrix
     stiffness(const MaterialParameters &p);
 

@@ -10,10 +10,12 @@ namespace rift
    * section 10). */
   struct MicrocrackedElasticity
   {
+    /** The value of the entry Elasticity, and its description there. */
     static constexpr const char *name = "microcracked";
     static constexpr const char *meaning =
       "microcracked: what groups of microcracks leave of an isotropic one";
 
+    /** Entries of subsection Material that it uses. */
     static std::vector<std::string>
     entries()
     {
@@ -25,12 +27,14 @@ namespace rift
               "Axis 2"};
     }
 
+    /** Numbers of its own: none. */
     static std::vector<ElasticConstant>
     constants()
     {
       return {};
     }
 
+    /** Stiffness of a material in its axes, Pa. */
     static StiffnessMatrix
     stiffness(const MaterialParameters &p)
     {
@@ -41,6 +45,7 @@ namespace rift
         .value();
     }
 
+    /** The law of a material, turned into the frame of the mesh. */
     static AnisotropicElasticity
     make(const MaterialParameters &p)
     {

@@ -9,23 +9,27 @@ namespace rift
    * axis 3: shale, slate, foliated rock (doc/theory.md, eq. 4). */
   struct TransverselyIsotropicElasticity
   {
+    /** The value of the entry Elasticity, and its description there. */
     static constexpr const char *name = "transversely isotropic";
     static constexpr const char *meaning =
       "transversely isotropic with five: the same in all directions across "
       "axis 3";
 
+    /** Names of its constants. */
     static constexpr const char *modulus_along  = "Young's modulus along";
     static constexpr const char *modulus_across = "Young's modulus across";
     static constexpr const char *ratio_along    = "Poisson's ratio along";
     static constexpr const char *ratio_across   = "Poisson's ratio across";
     static constexpr const char *shear_across   = "Shear modulus across";
 
+    /** Entries of subsection Material that it uses besides its constants. */
     static std::vector<std::string>
     entries()
     {
       return {"Axis 1", "Axis 2"};
     }
 
+    /** Its five constants, with their descriptions. */
     static std::vector<ElasticConstant>
     constants()
     {
@@ -44,6 +48,7 @@ namespace rift
                "Shear modulus between the bedding and axis 3. Units: Pa."}};
     }
 
+    /** Stiffness of a material in its axes, Pa. */
     static StiffnessMatrix
     stiffness(const MaterialParameters &p)
     {
@@ -66,6 +71,7 @@ namespace rift
       return result;
     }
 
+    /** The law of a material, turned into the frame of the mesh. */
     static AnisotropicElasticity
     make(const MaterialParameters &p)
     {
