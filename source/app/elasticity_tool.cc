@@ -250,6 +250,94 @@ namespace rift
         }
     }
 
+    /** What a fit is to come near to. */
+    struct FitTarget
+    {
+      /** Computed less measured, by a stiffness, Pa. */
+      std::function<std::vector<double>(const StiffnessMatrix &)> residuals;
+
+      /** What each of them is of. */
+      std::vector<std::string> names;
+
+      /** In which they are printed. */
+      double      unit;
+      std::string unit_name;
+    };
+
+    FitTarget
+    stiffness_target(const std::string &text)
+    {
+      FitTarget result{
+        [target = read_stiffness(text)](const StiffnessMatrix &stiffness) {
+          std::vector<double> residuals = upper_triangle(stiffness);
+          for (std::size_t i = 0; i < residuals.size(); ++i)
+            residuals[i] -= target[i];
+          return residuals;
+        },
+        {},
+        1e9,
+        "GPa"};
+      for (unsigned int i = 1; i <= 6; ++i)
+        for (unsigned int j = i; j <= 6; ++j)
+          result.names.push_back("C" + std::to_string(i) + std::to_string(j));
+      return result;
+    }
+
+    FitTarget
+    speed_target(const std::string &file, const double density)
+    {
+      const auto measured = read_speeds(file);
+      FitTarget  result{
+        [measured, density](const StiffnessMatrix &stiffness) {
+          std::vector<double> residuals;
+          for (const MeasuredSpeed &m : measured)
+            residuals.push_back(
+              wave_speeds(stiffness, density, m.direction)[m.wave] - m.speed);
+          return residuals;
+        },
+        {},
+        1,
+        "m/s"};
+      for (const MeasuredSpeed &m : measured)
+        result.names.push_back(
+          (m.wave == 0 ? "P" :
+           m.wave == 1 ? "S1" :
+                         "S2") +
+          std::string(" along ") + to_text(m.direction[0]) + " " +
+          to_text(m.direction[1]) + " " + to_text(m.direction[2]));
+      return result;
+    }
+
+    void
+    print(const CrackFit    &fitted,
+          const FitTarget   &target,
+          const std::string &material,
+          std::ostream      &out)
+    {
+      fmt::print(out,
+                 "fit of {}\n  set Crack groups = {}\n"
+                 "  computed less measured, {}; root mean square {:.3f}\n",
+                 material,
+                 groups_text(fitted.groups),
+                 target.unit_name,
+                 fitted.mean_residual() / target.unit);
+      constexpr double smallest_density = 1e-4;
+      if (std::any_of(fitted.groups.begin(),
+                      fitted.groups.end(),
+                      [](const CrackGroup &group) {
+                        return group.density < smallest_density;
+                      }))
+        fmt::print(out,
+                   "  WARNING: densities are at their limit, zero: what "
+                   "was measured is stiffer than these cracks allow\n");
+      for (std::size_t i = 0; i < target.names.size(); ++i)
+        if (std::abs(fitted.residuals[i]) > 5e-4 * target.unit)
+          fmt::print(out,
+                     "    {:<24}{:9.3f}\n",
+                     target.names[i],
+                     fitted.residuals[i] / target.unit);
+    }
+
     /** The material with fitted densities. */
     MaterialParameters
     fit(MaterialParameters material, const Options &options, std::ostream &out)
@@ -258,72 +346,16 @@ namespace rift
         throw InputError("the material \"" + material.name +
                          "\" is not microcracked; only crack densities can be "
                          "fitted.");
-      std::vector<std::string>                                    names;
-      std::function<std::vector<double>(const StiffnessMatrix &)> residuals;
-      double                                                      unit = 1;
-      std::string unit_name                                            = "m/s";
-      if (!options.stiffness.empty())
-        {
-          unit      = 1e9;
-          unit_name = "GPa";
-          residuals = [target = read_stiffness(options.stiffness)](
-                        const StiffnessMatrix &stiffness) {
-            std::vector<double> result = upper_triangle(stiffness);
-            for (std::size_t i = 0; i < result.size(); ++i)
-              result[i] -= target[i];
-            return result;
-          };
-          for (const char *name : {"11", "12", "13", "14", "15", "16", "22",
-                                   "23", "24", "25", "26", "33", "34", "35",
-                                   "36", "44", "45", "46", "55", "56", "66"})
-            names.push_back(std::string("C") + name);
-        }
-      else
-        {
-          const auto measured = read_speeds(options.speeds);
-          residuals           = [measured, density = material.density](
-                        const StiffnessMatrix &stiffness) {
-            std::vector<double> result;
-            for (const MeasuredSpeed &m : measured)
-              result.push_back(
-                wave_speeds(stiffness, density, m.direction)[m.wave] - m.speed);
-            return result;
-          };
-          for (const MeasuredSpeed &m : measured)
-            names.push_back((m.wave == 0 ? "P" :
-                             m.wave == 1 ? "S1" :
-                                           "S2") +
-                            std::string(" along ") + to_text(m.direction[0]) +
-                            " " + to_text(m.direction[1]) + " " +
-                            to_text(m.direction[2]));
-        }
-      const CrackFit result = fit_cracks(isotropic_stiffness(material),
+      const FitTarget target =
+        options.stiffness.empty() ?
+          speed_target(options.speeds, material.density) :
+          stiffness_target(options.stiffness);
+      const CrackFit fitted = fit_cracks(isotropic_stiffness(material),
                                          material.crack_groups,
                                          material.crack_scheme,
-                                         residuals);
-      material.crack_groups = result.groups;
-      fmt::print(out,
-                 "fit of {}\n  set Crack groups = {}\n"
-                 "  computed less measured, {}; root mean square {:.3f}\n",
-                 material.name,
-                 groups_text(result.groups),
-                 unit_name,
-                 result.mean_residual() / unit);
-      constexpr double smallest_density = 1e-4;
-      for (const CrackGroup &group : result.groups)
-        if (group.density < smallest_density)
-          {
-            fmt::print(out,
-                       "  WARNING: densities are at their limit, zero: what "
-                       "was measured is stiffer than these cracks allow\n");
-            break;
-          }
-      for (std::size_t i = 0; i < names.size(); ++i)
-        if (std::abs(result.residuals[i]) > 5e-4 * unit)
-          fmt::print(out,
-                     "    {:<24}{:9.3f}\n",
-                     names[i],
-                     result.residuals[i] / unit);
+                                         target.residuals);
+      print(fitted, target, material.name, out);
+      material.crack_groups = fitted.groups;
       return material;
     }
   } // namespace

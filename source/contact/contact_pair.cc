@@ -76,6 +76,37 @@ namespace rift
       return .5 * dot(old_force + force, shift) -
              (spring_energy(memory) - before);
     }
+
+    /**
+     * Sets the elastic forces, energy and depth (eq. 26).
+     *
+     * @return derivative of the energy by the potential, Pa.
+     */
+    double
+    press(const Overlap          &common,
+          const ContactConstants &constants,
+          ContactMemory          &memory,
+          ContactForces          &result)
+    {
+      memory.initial_potential =
+        std::min(memory.initial_potential, common.potential);
+      const double initial = memory.initial_potential;
+      const double ratio =
+        (common.potential - initial) / (common.potential + 3 * initial);
+      const double slope = constants.penalty * ratio * (2 - ratio);
+      result.touches     = true;
+      result.energy = constants.penalty * ratio * (common.potential - initial);
+      result.is_too_deep =
+        initial == 0 &&
+        (common.potential > largest_mean_potential * common.volume ||
+         common.volume_fraction > largest_volume_fraction);
+      for (unsigned int c = 0; c < 4; ++c)
+        {
+          result.on_a[c] = -slope * common.gradient_a[c];
+          result.on_b[c] = -slope * common.gradient_b[c];
+        }
+      return slope;
+    }
   } // namespace
 
   ContactForces
@@ -94,28 +125,10 @@ namespace rift
         return result;
       }
 
-    result.touches = true;
-
-    // Eq. 26 and its derivative by the potential
-    memory.initial_potential =
-      std::min(memory.initial_potential, common.potential);
-    const double initial = memory.initial_potential;
-    const double ratio =
-      (common.potential - initial) / (common.potential + 3 * initial);
-    const double slope = constants.penalty * ratio * (2 - ratio);
-    result.energy = constants.penalty * ratio * (common.potential - initial);
-    result.is_too_deep =
-      initial == 0 &&
-      (common.potential > largest_mean_potential * common.volume ||
-       common.volume_fraction > largest_volume_fraction);
+    const double    slope = press(common, constants, memory, result);
     Vector3<double> force{};
-    for (unsigned int c = 0; c < 4; ++c)
-      {
-        result.on_a[c] = -slope * common.gradient_a[c];
-        result.on_b[c] = -slope * common.gradient_b[c];
-        force += result.on_a[c];
-      }
-
+    for (const Vector3<double> &f : result.on_a)
+      force += f;
     const double elastic = norm(force);
     if (elastic == 0)
       {

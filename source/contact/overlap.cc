@@ -187,16 +187,14 @@ namespace rift
     void
     clip(const Simplex &simplex, const double volume, Part &part)
     {
-      if (volume == 0)
+      const Plane plane(simplex);
+      if (volume == 0 || plane.how().n_inside == 0)
         return;
-      const Plane  plane(simplex);
       const auto  &order = plane.how().order;
       const Point &p0 = *simplex[order[0]], &p1 = *simplex[order[1]],
                   &p2 = *simplex[order[2]], &p3 = *simplex[order[3]];
       switch (plane.how().n_inside)
         {
-        case 0:
-          return;
         case 1:
           {
             const double t1 = plane.cut_fraction(p0, p1),

@@ -88,6 +88,54 @@ namespace rift
     private:
       const unsigned int n_threads = dealii::MultithreadInfo::n_threads();
     };
+
+    /**
+     * Fills in volumes, gradients of the shape functions and the places of the
+     * corners.
+     *
+     * @param cells in the order of their slots.
+     */
+    template <typename Cells>
+    void
+    fill_cells(const dealii::DoFHandler<3> &dof_handler,
+               const Cells                 &cells,
+               Discretization              &result)
+    {
+      const auto                    &fe = dof_handler.get_fe();
+      const dealii::MappingFE<3>     mapping(dealii::FE_SimplexP<3>(1));
+      const dealii::QGaussSimplex<3> quadrature(1);
+      dealii::FEValues<3>            fe_values(mapping,
+                                    fe,
+                                    quadrature,
+                                    dealii::update_gradients |
+                                      dealii::update_JxW_values);
+      const Topology                &topology = result.topology;
+      result.reference.resize(topology.n_batches(), ReferenceBatch{});
+      result.state.resize(topology.n_nodes());
+      CellIndex slot = 0;
+      for (const auto &[global_index, cell] : cells)
+        {
+          while (topology.cell_global_indices[slot] != global_index)
+            ++slot;
+          fe_values.reinit(cell);
+          ReferenceBatch    &batch = result.reference[slot / batch_size];
+          const unsigned int lane  = slot % batch_size;
+          batch.volume[lane]       = fe_values.JxW(0);
+          for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
+            {
+              const auto [component, corner] = fe.system_to_component_index(i);
+              if (component != 0 || corner == 0)
+                continue;
+              for (unsigned int d = 0; d < dim; ++d)
+                batch.gradients[corner - 1][d][lane] =
+                  fe_values.shape_grad(i, 0)[d];
+            }
+          for (unsigned int c = 0; c < n_corners; ++c)
+            for (unsigned int d = 0; d < dim; ++d)
+              result.state.reference[topology.node(slot, c)][d] =
+                cell->vertex(c)[d];
+        }
+    }
   } // namespace
 
   Discretization
@@ -98,15 +146,8 @@ namespace rift
   {
     // The vector-valued space of the displacement; its scalar shape functions
     // are the same for the three components, so that of x is asked.
-    const dealii::FESystem<3>      fe(dealii::FE_SimplexP<3>(1), dim);
-    dealii::DoFHandler<3>          dof_handler(triangulation);
-    const dealii::MappingFE<3>     mapping(dealii::FE_SimplexP<3>(1));
-    const dealii::QGaussSimplex<3> quadrature(1);
-    dealii::FEValues<3>            fe_values(mapping,
-                                  fe,
-                                  quadrature,
-                                  dealii::update_gradients |
-                                    dealii::update_JxW_values);
+    const dealii::FESystem<3> fe(dealii::FE_SimplexP<3>(1), dim);
+    dealii::DoFHandler<3>     dof_handler(triangulation);
     dof_handler.distribute_dofs(fe);
     const CellByCell cell_by_cell;
 
@@ -126,31 +167,7 @@ namespace rift
     else
       separate_materials(topology, parted);
     result.exchange = GhostExchange(communicator, topology);
-    result.reference.resize(topology.n_batches(), ReferenceBatch{});
-    result.state.resize(topology.n_nodes());
-    CellIndex slot = 0;
-    for (const auto &[global_index, cell] : cells)
-      {
-        while (topology.cell_global_indices[slot] != global_index)
-          ++slot;
-        fe_values.reinit(cell);
-        ReferenceBatch    &batch = result.reference[slot / batch_size];
-        const unsigned int lane  = slot % batch_size;
-        batch.volume[lane]       = fe_values.JxW(0);
-        for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
-          {
-            const auto [component, corner] = fe.system_to_component_index(i);
-            if (component != 0 || corner == 0)
-              continue;
-            for (unsigned int d = 0; d < dim; ++d)
-              batch.gradients[corner - 1][d][lane] =
-                fe_values.shape_grad(i, 0)[d];
-          }
-        for (unsigned int c = 0; c < n_corners; ++c)
-          for (unsigned int d = 0; d < dim; ++d)
-            result.state.reference[topology.node(slot, c)][d] =
-              cell->vertex(c)[d];
-      }
+    fill_cells(dof_handler, cells, result);
     for (NodeIndex node = 0; node < topology.n_nodes(); ++node)
       result.state.mass[node] =
         topology.is_complete(topology.node_vertices[node]) ?

@@ -34,11 +34,6 @@ namespace rift
     }
 
     /** Of a sum that is the same on all ranks. */
-    Vector3<double>
-    values(const std::array<ExactSum, dim> &sums)
-    {
-      return {{sums[0].value(), sums[1].value(), sums[2].value()}};
-    }
   } // namespace
 
   RigidBodies::RigidBodies(const Topology                        &topology,
@@ -95,81 +90,66 @@ namespace rift
       }
   }
 
+  template <std::size_t n, typename Terms>
+  std::vector<std::array<double, n>>
+  RigidBodies::sum_over_nodes(const State &state, const Terms &terms) const
+  {
+    std::vector<std::array<ExactSum, n>> sums(bodies.size());
+    std::vector<ExactSum *>              pointers;
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      {
+        for (const NodeIndex node : bodies[i].nodes)
+          if (topology.owns_node(node))
+            {
+              const std::array<double, n> of_node =
+                terms(bodies[i], state.reference[node].vector());
+              for (std::size_t k = 0; k < n; ++k)
+                sums[i][k].add(state.mass[node] * of_node[k]);
+            }
+        for (ExactSum &sum : sums[i])
+          pointers.push_back(&sum);
+      }
+    ExactSum::sum_over_ranks(pointers, communicator);
+    std::vector<std::array<double, n>> result(bodies.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      for (std::size_t k = 0; k < n; ++k)
+        result[i][k] = sums[i][k].value();
+    return result;
+  }
+
   void
   RigidBodies::compute_mass_properties(const State &state)
   {
     // Mass and first moments, then second moments about the centre.
-    struct Moments
-    {
-      ExactSum                  mass;
-      std::array<ExactSum, dim> first;
-      std::array<ExactSum, dim> squares, products;
-    };
-    std::vector<Moments> moments(bodies.size());
-    const auto           sum_over_nodes = [&](const auto &add_node) {
-      for (std::size_t i = 0; i < bodies.size(); ++i)
-        for (const NodeIndex node : bodies[i].nodes)
-          if (topology.owns_node(node))
-            add_node(bodies[i],
-                     moments[i],
-                     state.mass[node],
-                     state.reference[node].vector());
-    };
-    const auto sum_over_ranks = [&](const auto &members) {
-      std::vector<ExactSum *> sums;
-      for (Moments &of_body : moments)
-        for (ExactSum *sum : members(of_body))
-          sums.push_back(sum);
-      ExactSum::sum_over_ranks(sums, communicator);
-    };
-
-    sum_over_nodes([](const Body &,
-                      Moments               &sums,
-                      const double           mass,
-                      const Vector3<double> &x) {
-      sums.mass.add(mass);
-      add(mass * x, sums.first);
-    });
-    sum_over_ranks([](Moments &m) {
-      return std::vector<ExactSum *>{&m.mass,
-                                     &m.first[0],
-                                     &m.first[1],
-                                     &m.first[2]};
-    });
+    const auto first =
+      sum_over_nodes<4>(state, [](const Body &, const Vector3<double> &x) {
+        return std::array<double, 4>{{1, x[0], x[1], x[2]}};
+      });
     for (std::size_t i = 0; i < bodies.size(); ++i)
       {
-        RigidMass &mass = bodies[i].mass;
-        mass.mass       = moments[i].mass.value();
-        mass.centre     = (1 / mass.mass) * values(moments[i].first);
+        const auto &[mass, x, y, z] = first[i];
+        bodies[i].mass.mass         = mass;
+        bodies[i].mass.centre       = (1 / mass) * Vector3<double>{{x, y, z}};
       }
 
-    sum_over_nodes([](const Body            &body,
-                      Moments               &sums,
-                      const double           mass,
-                      const Vector3<double> &x) {
-      const Vector3<double> r = x - body.mass.centre;
-      add(mass * Vector3<double>{{r[0] * r[0], r[1] * r[1], r[2] * r[2]}},
-          sums.squares);
-      add(mass * Vector3<double>{{r[1] * r[2], r[2] * r[0], r[0] * r[1]}},
-          sums.products);
-    });
-    sum_over_ranks([](Moments &m) {
-      return std::vector<ExactSum *>{&m.squares[0],
-                                     &m.squares[1],
-                                     &m.squares[2],
-                                     &m.products[0],
-                                     &m.products[1],
-                                     &m.products[2]};
-    });
+    const auto second =
+      sum_over_nodes<6>(state, [](const Body &body, const Vector3<double> &x) {
+        const Vector3<double> r = x - body.mass.centre;
+        return std::array<double, 6>{{r[0] * r[0],
+                                      r[1] * r[1],
+                                      r[2] * r[2],
+                                      r[1] * r[2],
+                                      r[2] * r[0],
+                                      r[0] * r[1]}};
+      });
     for (std::size_t i = 0; i < bodies.size(); ++i)
       {
-        const Vector3<double> s = values(moments[i].squares),
-                              p = values(moments[i].products);
-        RigidMass &mass         = bodies[i].mass;
-        mass.inertia            = {{{{s[1] + s[2], -p[2], -p[1]}},
-                                    {{-p[2], s[2] + s[0], -p[0]}},
-                                    {{-p[1], -p[0], s[0] + s[1]}}}};
-        mass.inverse_inertia    = inverse(mass.inertia);
+        const auto &[xx, yy, zz, yz, zx, xy] = second[i];
+        RigidMass &mass                      = bodies[i].mass;
+        mass.inertia                         = {{{{yy + zz, -xy, -zx}},
+                                                 {{-xy, zz + xx, -yz}},
+                                                 {{-zx, -yz, xx + yy}}}};
+        mass.inverse_inertia                 = inverse(mass.inertia);
       }
   }
 

@@ -169,6 +169,12 @@ namespace rift
     void
     find_nodes();
 
+    /** For each body the exact sums over its nodes of `terms(body, x)` times the
+     * mass, for a node at x. Collective. */
+    template <std::size_t n, typename Terms>
+    std::vector<std::array<double, n>>
+    sum_over_nodes(const State &state, const Terms &terms) const;
+
     /** Collective. */
     void
     compute_mass_properties(const State &state);
