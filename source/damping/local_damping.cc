@@ -8,9 +8,9 @@ namespace rift
   LocalDamping::LocalDamping(const Topology                        &topology,
                              const std::vector<MaterialParameters> &materials,
                              const double                           coefficient)
-    : coefficient(coefficient)
+    : WorkingModule(topology, "local damping", "local damping")
+    , coefficient(coefficient)
     , is_rigid(topology.n_nodes(), false)
-    , work_done(topology)
   {
     for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
       if (!topology.is_padding(cell) &&

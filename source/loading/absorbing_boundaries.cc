@@ -9,9 +9,9 @@ namespace rift
                                            const ReferenceCellData &reference,
                                            std::vector<Boundary> the_boundaries,
                                            const Impedance      &impedance)
-    : topology(topology)
+    : WorkingModule(topology, "absorbing boundaries", "damping")
+    , topology(topology)
     , boundaries(std::move(the_boundaries))
-    , work_done(topology)
   {
     for (const Boundary &boundary : boundaries)
       for (const CellFace &face : boundary.surface)

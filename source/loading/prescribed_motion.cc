@@ -4,9 +4,9 @@ namespace rift
 {
   PrescribedMotion::PrescribedMotion(const Topology       &topology,
                                      std::vector<Boundary> the_boundaries)
-    : topology(topology)
+    : WorkingModule(topology, "prescribed motion", "loads")
+    , topology(topology)
     , boundaries(std::move(the_boundaries))
-    , work_done(topology)
   {
     for (const Boundary &boundary : boundaries)
       for (unsigned int d = 0; d < dim; ++d)

@@ -29,15 +29,14 @@ namespace rift
   SurfaceLoad::SurfaceLoad(const Topology           &topology,
                            Surface                   surface,
                            const BoundaryParameters &parameters)
-    : topology(topology)
-    , name(parameters.name)
-    , archive_name("load on " + parameters.name)
+    : WorkingModule(topology, "load on " + parameters.name, "loads")
+    , topology(topology)
+    , boundary(parameters.name)
     , surface(std::move(surface))
     , acts_while_attached(parameters.acts_while_attached)
     , pressure(
         make_function(parameters.pressure, parameters.name, "Pressure", "Pa"))
     , bears_load(this->surface.size(), 1)
-    , work_done(topology)
   {
     for (unsigned int d = 0; d < dim; ++d)
       traction[d] = make_function(parameters.traction[d],
@@ -129,13 +128,13 @@ namespace rift
     if (numbers[1] == 0)
       return {};
     has_warned = true;
-    return {"the load on boundary \"" + name + "\" goes on acting on " +
+    return {"the load on boundary \"" + boundary + "\" goes on acting on " +
             std::to_string(numbers[1]) + " of its " +
             std::to_string(numbers[0]) +
             " faces that have left their place: their fragments have come off "
             "and moved by more than their size. Set \"Acts while attached = "
             "true\" in subsection \"Boundary " +
-            name + "\" if it is to end there."};
+            boundary + "\" if it is to end there."};
   }
 
   namespace
@@ -149,24 +148,24 @@ namespace rift
   } // namespace
 
   void
-  SurfaceLoad::save(const Discretization &, Archive &archive) const
+  SurfaceLoad::save(const Discretization &body, Archive &archive) const
   {
-    work_done.save(archive_name, archive);
+    WorkingModule::save(body, archive);
     std::vector<FaceRecord> records;
     for (std::size_t i = 0; i < surface.size(); ++i)
       if (!bears_load[i] && topology.owns_cell(surface[i].cell))
         records.push_back({topology.cell_global_indices[surface[i].cell],
                            surface[i].local_face});
-    archive.write_list(archive_name + ": faces that have come off", records);
+    archive.write_list(name + ": faces that have come off", records);
   }
 
   void
-  SurfaceLoad::load(const Discretization &, const Archive &archive)
+  SurfaceLoad::load(const Discretization &body, const Archive &archive)
   {
-    work_done.load(archive_name, archive);
+    WorkingModule::load(body, archive);
     std::set<std::pair<CellIndex, std::uint32_t>> released;
-    for (const auto &[cell, local_face] : archive.read_list<FaceRecord>(
-           archive_name + ": faces that have come off"))
+    for (const auto &[cell, local_face] :
+         archive.read_list<FaceRecord>(name + ": faces that have come off"))
       released.emplace(topology.find_cell(cell), local_face);
     for (std::size_t i = 0; i < surface.size(); ++i)
       bears_load[i] =

@@ -41,11 +41,11 @@ namespace rift
                            const RigidPieces                     &pieces,
                            const std::vector<MaterialParameters> &materials,
                            const Communicator                    &communicator)
-    : topology(topology)
+    : WorkingModule(topology, "rigid bodies", "loads")
+    , topology(topology)
     , communicator(communicator)
     , body_of_slot(topology.n_cell_slots(), invalid_index)
     , bodies(pieces.materials.size())
-    , work_done(topology)
   {
     for (const MaterialParameters &material : materials)
       {
@@ -386,7 +386,8 @@ namespace rift
   }
 
   void
-  RigidBodies::save(const Discretization &, Archive &archive) const
+  RigidBodies::save(const Discretization &discretization,
+                    Archive              &archive) const
   {
     // All ranks have the same.
     std::vector<RigidBodyRecord> records;
@@ -398,11 +399,12 @@ namespace rift
                            body.motion.velocity,
                            body.motion.angular_momentum});
     archive.write_list("rigid bodies", records);
-    work_done.save("rigid bodies", archive);
+    WorkingModule::save(discretization, archive);
   }
 
   void
-  RigidBodies::load(const Discretization &, const Archive &archive)
+  RigidBodies::load(const Discretization &discretization,
+                    const Archive        &archive)
   {
     const auto records = archive.read_list<RigidBodyRecord>("rigid bodies");
     for (std::size_t i = 0; i < bodies.size(); ++i)
@@ -413,6 +415,6 @@ namespace rift
                                          record.velocity,
                                          record.angular_momentum};
       }
-    work_done.load("rigid bodies", archive);
+    WorkingModule::load(discretization, archive);
   }
 } // namespace rift

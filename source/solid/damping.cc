@@ -21,10 +21,10 @@ namespace rift
   Damping::Damping(const Topology          &topology,
                    const ReferenceCellData &reference,
                    std::vector<double>      viscosities)
-    : topology(topology)
+    : WorkingModule(topology, "viscosity", "damping")
+    , topology(topology)
     , reference(reference)
     , viscosities(std::move(viscosities))
-    , work_done(topology)
   {
   }
 

@@ -1,9 +1,8 @@
 #ifndef rift_damping_local_damping_h
 #define rift_damping_local_damping_h
 
-#include <rift/discretization/work.h>
 #include <rift/material/material_parameters.h>
-#include <rift/module/module.h>
+#include <rift/module/working_module.h>
 
 #include <vector>
 
@@ -20,7 +19,7 @@ namespace rift
    * nodes that part have been held together, which keeps their common
    * acceleration. Velocities are those of half a step ago.
    */
-  class LocalDamping : public Module
+  class LocalDamping : public WorkingModule
   {
   public:
     /**
@@ -49,24 +48,6 @@ namespace rift
       count_work(step.body.state, step.time_step);
     }
 
-    void
-    account(const Discretization &, EnergyTable &energies) const override
-    {
-      energies["local damping"].add(work_done.sum());
-    }
-
-    void
-    save(const Discretization &, Archive &archive) const override
-    {
-      work_done.save("local damping", archive);
-    }
-
-    void
-    load(const Discretization &, const Archive &archive) override
-    {
-      work_done.load("local damping", archive);
-    }
-
     /** Adds the damping forces to `state.force`. */
     void
     add_to(State &state, const Activity &activity);
@@ -75,14 +56,6 @@ namespace rift
     void
     count_work(const State &state, double time_step);
 
-    /** Energy that it has dissipated up to t_n, J, as of the last
-     * count_work(). */
-    const Work &
-    work() const
-    {
-      return work_done;
-    }
-
   private:
     const double coefficient;
 
@@ -90,7 +63,6 @@ namespace rift
     std::vector<bool> is_rigid;
 
     std::vector<NodalVector> forces;
-    Work                     work_done;
   };
 } // namespace rift
 

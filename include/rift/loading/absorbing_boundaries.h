@@ -1,9 +1,8 @@
 #ifndef rift_loading_absorbing_boundaries_h
 #define rift_loading_absorbing_boundaries_h
 
-#include <rift/discretization/work.h>
 #include <rift/mesh/surface.h>
-#include <rift/module/module.h>
+#include <rift/module/working_module.h>
 
 #include <functional>
 #include <vector>
@@ -17,7 +16,7 @@ namespace rift
    * the time step nor make energy. The dashpots of all surfaces that meet at a
    * node act as one.
    */
-  class AbsorbingBoundaries : public Module
+  class AbsorbingBoundaries : public WorkingModule
   {
   public:
     /** One of the surfaces, and its name in the scene. */
@@ -89,24 +88,6 @@ namespace rift
       count_work(step.body.state, step.time_step);
     }
 
-    void
-    account(const Discretization &, EnergyTable &energies) const override
-    {
-      energies["damping"].add(work_done.sum());
-    }
-
-    void
-    save(const Discretization &, Archive &archive) const override
-    {
-      work_done.save("absorbing boundaries", archive);
-    }
-
-    void
-    load(const Discretization &, const Archive &archive) override
-    {
-      work_done.load("absorbing boundaries", archive);
-    }
-
     /**
      * Adds the forces of the dashpots of nodes that have parted in this step
      * and stay together until its end: as if they had not. All forces but those
@@ -135,13 +116,6 @@ namespace rift
      */
     void
     count_work(const State &state, double time_step);
-
-    /** Energy that has gone up to t_n, J, as of the last count_work(). */
-    Work &
-    work()
-    {
-      return work_done;
-    }
 
     /** Takes in nodes that a crack has made. */
     void
@@ -181,8 +155,6 @@ namespace rift
 
     /** Nodes that have parted in this step. */
     std::vector<NodeSplit> splits;
-
-    Work work_done;
   };
 } // namespace rift
 

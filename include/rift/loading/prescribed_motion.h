@@ -2,11 +2,10 @@
 #define rift_loading_prescribed_motion_h
 
 #include <rift/discretization/activity.h>
-#include <rift/discretization/work.h>
 #include <rift/loading/loading_parameters.h>
 #include <rift/loading/time_function.h>
 #include <rift/mesh/surface.h>
-#include <rift/module/module.h>
+#include <rift/module/working_module.h>
 
 #include <optional>
 #include <vector>
@@ -18,7 +17,7 @@ namespace rift
    * surfaces meet, the first one in the .prm that prescribes a component
    * counts.
    */
-  class PrescribedMotion : public Module
+  class PrescribedMotion : public WorkingModule
   {
   public:
     /** A surface and what is said of it. */
@@ -55,24 +54,6 @@ namespace rift
       update_nodes();
     }
 
-    void
-    account(const Discretization &, EnergyTable &energies) const override
-    {
-      energies["loads"].add(work_done.sum());
-    }
-
-    void
-    save(const Discretization &, Archive &archive) const override
-    {
-      work_done.save("prescribed motion", archive);
-    }
-
-    void
-    load(const Discretization &, const Archive &archive) override
-    {
-      work_done.load("prescribed motion", archive);
-    }
-
     /**
      * Replaces the forces on prescribed components by those that make the
      * velocity after the kick the prescribed one, and counts the work of the
@@ -80,13 +61,6 @@ namespace rift
      */
     void
     impose(State &state, Activity &activity, double time_step);
-
-    /** Work of the reactions up to t_n, J, as of the last impose(). */
-    Work &
-    work()
-    {
-      return work_done;
-    }
 
     /** Takes in nodes that a crack has made. */
     void
@@ -142,7 +116,6 @@ namespace rift
 
     /** The function of each component of each node, or no_function. */
     std::vector<std::array<std::uint16_t, dim>> function_of;
-    Work                                        work_done;
   };
 } // namespace rift
 

@@ -2,11 +2,10 @@
 #define rift_loading_surface_load_h
 
 #include <rift/discretization/activity.h>
-#include <rift/discretization/work.h>
 #include <rift/loading/loading_parameters.h>
 #include <rift/loading/time_function.h>
 #include <rift/mesh/surface.h>
-#include <rift/module/module.h>
+#include <rift/module/working_module.h>
 
 #include <optional>
 #include <vector>
@@ -18,7 +17,7 @@ namespace rift
    * area and along the current normal; traction is per undeformed area and
    * keeps its direction.
    */
-  class SurfaceLoad : public Module
+  class SurfaceLoad : public WorkingModule
   {
   public:
     /** @param parameters must have a pressure or a traction. */
@@ -63,12 +62,6 @@ namespace rift
       update_nodes();
     }
 
-    void
-    account(const Discretization &, EnergyTable &energies) const override
-    {
-      energies["loads"].add(work_done.sum());
-    }
-
     bool
     needs_fragments() const override
     {
@@ -96,20 +89,13 @@ namespace rift
     void
     count_work(const State &state, double time_step);
 
-    /** Work up to t_n, J, as of the last count_work(). */
-    Work &
-    work()
-    {
-      return work_done;
-    }
-
     /** Takes in nodes that a crack has made. */
     void
     update_nodes();
 
   private:
     const Topology                            &topology;
-    const std::string                          name, archive_name;
+    const std::string                          boundary;
     const Surface                              surface;
     const bool                                 acts_while_attached;
     std::optional<TimeFunction>                pressure;
@@ -124,7 +110,6 @@ namespace rift
     /** Whether each face bears the load. */
     std::vector<std::uint8_t> bears_load;
 
-    Work work_done;
     bool is_loaded = false, has_warned = false;
   };
 } // namespace rift

@@ -4,10 +4,9 @@
 #include <rift/base/communicator.h>
 #include <rift/discretization/activity.h>
 #include <rift/discretization/field_list.h>
-#include <rift/discretization/work.h>
 #include <rift/loading/time_function.h>
 #include <rift/material/material_parameters.h>
-#include <rift/module/module.h>
+#include <rift/module/working_module.h>
 #include <rift/rigid/rigid_motion.h>
 #include <rift/rigid/rigid_pieces.h>
 
@@ -22,7 +21,7 @@ namespace rift
    * replaced by those that move them as a body, so that kick, drift and ledger
    * need not know of it. Mass and inertia are those of the lumped masses.
    */
-  class RigidBodies : public Module
+  class RigidBodies : public WorkingModule
   {
   public:
     /**
@@ -67,12 +66,6 @@ namespace rift
     }
 
     void
-    account(const Discretization &, EnergyTable &energies) const override
-    {
-      energies["loads"].add(work_done.sum());
-    }
-
-    void
     declare_fields(FieldList &list) const override
     {
       declare_fields(list, this);
@@ -102,13 +95,6 @@ namespace rift
      */
     void
     move(State &state, Activity &activity, double time_step);
-
-    /** Work up to t_n, J, of what drives bodies, as of the last move(). */
-    Work &
-    work()
-    {
-      return work_done;
-    }
 
     /** Number of bodies, on all ranks the same. */
     std::uint32_t
@@ -211,7 +197,6 @@ namespace rift
     std::vector<Body>          bodies;
     std::vector<Drive>         drives;
     std::vector<std::string>   material_names;
-    Work                       work_done;
   };
 } // namespace rift
 

@@ -3,8 +3,7 @@
 
 #include <rift/discretization/activity.h>
 #include <rift/discretization/reference_cell_data.h>
-#include <rift/discretization/work.h>
-#include <rift/module/module.h>
+#include <rift/module/working_module.h>
 
 #include <vector>
 
@@ -15,7 +14,7 @@ namespace rift
    * eq. 8), taken at the velocity of half a step ago. Only constructed when a
    * material has a viscosity.
    */
-  class Damping : public Module
+  class Damping : public WorkingModule
   {
   public:
     /** @param viscosities Pa s, one for each material index. */
@@ -54,24 +53,6 @@ namespace rift
       count_work(step.body.state, step.time_step);
     }
 
-    void
-    account(const Discretization &, EnergyTable &energies) const override
-    {
-      energies["damping"].add(work_done.sum());
-    }
-
-    void
-    save(const Discretization &, Archive &archive) const override
-    {
-      work_done.save("viscosity", archive);
-    }
-
-    void
-    load(const Discretization &, const Archive &archive) override
-    {
-      work_done.load("viscosity", archive);
-    }
-
     /** Adds the viscous forces of all cells that are awake. */
     void
     add_to(State &state, const Activity &activity);
@@ -80,21 +61,12 @@ namespace rift
     void
     count_work(const State &state, double time_step);
 
-    /** Work against the viscous forces up to t_n, J, as of the last
-     * count_work(): the energy that they have dissipated. */
-    Work &
-    work()
-    {
-      return work_done;
-    }
-
   private:
     const Topology           &topology;
     const ReferenceCellData  &reference;
     const std::vector<double> viscosities;
 
     std::vector<NodalVector> forces;
-    Work                     work_done;
   };
 } // namespace rift
 
