@@ -2,17 +2,19 @@
 # table, a bar whose pieces fly apart and meet, a rigid block that turns, a heap
 # of fragments, a plate that is shattered.
 #
-#   bash contact.sh RIFT RANKS
+#   bash contact.sh RIFT RANKS "SCENE..."
 . "$(dirname "$0")/common.sh"
 contact=$here/../../prm/contact
 every=(--set "Checkpoint/Interval in steps=40"
   --set "Checkpoint/Number of sets=100")
 
 # goes_on NAME WRITERS STEP SCENE...: the checkpoint is of so many ranks, with
-# cells in any order.
+# cells in any order. Only if NAME is one of those that are asked for.
+wanted=$3
 goes_on() {
   local name=$1 writers=$2 step=$3
   shift 3
+  [[ " $wanted " == *" $name "* ]] || return 0
   expect 0 1 "$@" --output "$name-whole"
   expect 0 "$writers" "$@" --output "$name" "${every[@]}" \
     --set Mesh/Partition=metis
@@ -22,28 +24,25 @@ goes_on() {
     expect 0 "$n" "$@" --output "$name" "${every[@]}" --restart
     same_results "$name-whole" "$name"
   done
+  ! grep -q '"contact_pairs": 0,' "$name/summary.json" || fail "nothing touches"
 }
+
 goes_on block 1 80 "$contact/block.prm" --set "Time/End time=6e-5" \
   --set "Output/Solution interval=3e-5"
-! grep -q '"contact_pairs": 0,' block/summary.json || fail "nothing touches"
 
 goes_on bar 1 360 "$here/spalling.prm" --set Contact/Contact=true \
   --set "Mesh/Element size=8e-3" --set "Time/Time step=2.174e-7" \
   --set "Fracture/Least share of strength=0.6"
-! grep -q '"contact_pairs": 0,' bar/summary.json || fail "nothing touches"
 
 goes_on rigid 3 200 "$here/../scenes/rigid_collision.prm" \
   --set "Time/End time=2.5e-4"
-! grep -q '"contact_pairs": 0,' rigid/summary.json || fail "nothing touches"
 
 goes_on pile 2 400 "$contact/pile.prm" \
   --set "Mesh/Parameters=n_x = 3, n_y = 3, n_z = 2" \
   --set "Material lower/Initial velocity=0.3, 0, -2" \
   --set "Material upper/Initial velocity=0, 0.2, -3" \
   --set "Time/End time=0.015" --set "Output/Solution interval=0.015"
-! grep -q '"contact_pairs": 0,' pile/summary.json || fail "nothing touches"
 
 goes_on plate 1 80 "$contact/plate.prm" \
   --set "Mesh/Element size=8e-3" --set "Mesh/Parameters=width = 0.06" \
   --set "Time/End time=4e-5" --set "Output/Solution interval=2e-5"
-! grep -q '"contact_pairs": 0,' plate/summary.json || fail "nothing touches"
