@@ -1,3 +1,4 @@
+#include <rift/base/check.h>
 #include <rift/contact/broad_phase.h>
 
 #include <algorithm>
@@ -156,6 +157,7 @@ namespace rift
           if (boxes_overlap(a.box, b->box))
             {
               ++n_touching;
+              rift_check(a.number != b->number);
               const BoxPair pair{std::min(a.number, b->number),
                                  std::max(a.number, b->number)};
               if (filter(pair))
@@ -217,7 +219,9 @@ namespace rift
             if (collector.is_full())
               return {};
           }
-    return sort_pairs(collector.pairs, boxes.size());
+    auto pairs = sort_pairs(collector.pairs, boxes.size());
+    rift_check(std::adjacent_find(pairs.begin(), pairs.end()) == pairs.end());
+    return pairs;
   }
 
   std::vector<BoxPair>

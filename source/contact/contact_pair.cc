@@ -1,3 +1,4 @@
+#include <rift/base/check.h>
 #include <rift/contact/contact_pair.h>
 
 #include <algorithm>
@@ -18,6 +19,31 @@ namespace rift
       for (unsigned int c = 0; c < 4; ++c)
         sum += weights[c] * vectors[c];
       return sum;
+    }
+
+    /** Whether the weights of a point among the corners sum to 1, but for
+     * rounding. */
+    bool
+    sum_to_one(const std::array<double, 4> &weights)
+    {
+      return !(std::abs(weights[0] + weights[1] + weights[2] + weights[3] - 1) >
+               1e-9);
+    }
+
+    /** Whether the forces on both cells cancel, but for rounding. What is not
+     * a number passes. */
+    bool
+    cancel(const std::array<Vector3<double>, 4> &on_a,
+           const std::array<Vector3<double>, 4> &on_b)
+    {
+      Vector3<double> sum{};
+      double          scale = 0;
+      for (unsigned int c = 0; c < 4; ++c)
+        {
+          sum += on_a[c] + on_b[c];
+          scale += norm(on_a[c]) + norm(on_b[c]);
+        }
+      return !(norm(sum) > 1e-9 * scale);
     }
 
     /** The part of a vector across a normal. */
@@ -73,6 +99,7 @@ namespace rift
       if (length > longest)
         memory.slip = (longest / length) * memory.slip;
       const Vector3<double> force = memory.stiffness * memory.slip;
+      rift_check(!(norm(force) > (1 + 1e-12) * friction * normal_force));
       return .5 * dot(old_force + force, shift) -
              (spring_energy(memory) - before);
     }
@@ -103,6 +130,8 @@ namespace rift
     const double ratio =
       (common.potential - initial) / (common.potential + 3 * initial);
     const double slope = constants.penalty * ratio * (2 - ratio);
+    rift_check(!(common.potential < 0 || initial < 0 || slope < 0));
+    rift_check(sum_to_one(common.weights_a) && sum_to_one(common.weights_b));
     result.energy = constants.penalty * ratio * (common.potential - initial);
     result.is_too_deep =
       initial == 0 &&
@@ -156,6 +185,7 @@ namespace rift
         result.on_a[c] += common.weights_a[c] * added;
         result.on_b[c] -= common.weights_b[c] * added;
       }
+    rift_check(cancel(result.on_a, result.on_b));
     return result;
   }
 } // namespace rift

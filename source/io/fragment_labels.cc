@@ -1,4 +1,5 @@
 #include <rift/base/bytes.h>
+#include <rift/base/check.h>
 #include <rift/base/disjoint_sets.h>
 #include <rift/io/fragment_labels.h>
 
@@ -95,9 +96,9 @@ namespace rift
       std::sort(labels.begin(), labels.end());
       labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
       const auto position = [&](const GlobalCellIndex label) {
-        return static_cast<std::uint32_t>(
-          std::lower_bound(labels.begin(), labels.end(), label) -
-          labels.begin());
+        const auto at = std::lower_bound(labels.begin(), labels.end(), label);
+        rift_check(at != labels.end() && *at == label);
+        return static_cast<std::uint32_t>(at - labels.begin());
       };
       DisjointSets sets(labels.size());
       for (const auto &[a, b] : pairs)

@@ -1,3 +1,4 @@
+#include <rift/base/check.h>
 #include <rift/base/exceptions.h>
 #include <rift/rigid/rigid_bodies.h>
 
@@ -41,6 +42,23 @@ namespace rift
     }
   } // namespace
 
+  namespace
+  {
+    /** Whether cells that share a face are of one body, or of none. */
+    bool
+    are_bodies_whole(const Topology                   &topology,
+                     const std::vector<std::uint32_t> &body_of_slot,
+                     const std::size_t                 n_bodies)
+    {
+      for (const Face &face : topology.faces)
+        if (const std::uint32_t body = body_of_slot[face.cells[0]];
+            body != body_of_slot[face.cells[1]] ||
+            (body != invalid_index && body >= n_bodies))
+          return false;
+      return true;
+    }
+  } // namespace
+
   RigidBodies::RigidBodies(const Topology                        &topology,
                            const State                           &state,
                            const RigidPieces                     &pieces,
@@ -68,6 +86,7 @@ namespace rift
       if (!topology.is_padding(cell))
         body_of_slot[cell] =
           pieces.body_of_cell[topology.cell_global_indices[cell]];
+    rift_check(are_bodies_whole(topology, body_of_slot, bodies.size()));
     for (std::size_t i = 0; i < bodies.size(); ++i)
       {
         bodies[i].material = pieces.materials[i];
@@ -140,7 +159,8 @@ namespace rift
       {
         RigidMass &mass = bodies[i].mass;
         mass.mass       = moments[i].mass.value();
-        mass.centre     = (1 / mass.mass) * values(moments[i].first);
+        rift_check(mass.mass > 0);
+        mass.centre = (1 / mass.mass) * values(moments[i].first);
       }
 
     sum_over_nodes([](const Body            &body,
@@ -170,6 +190,7 @@ namespace rift
                                     {{-p[2], s[2] + s[0], -p[0]}},
                                     {{-p[1], -p[0], s[0] + s[1]}}}};
         mass.inverse_inertia    = inverse(mass.inertia);
+        rift_check(determinant(mass.inertia) > 0);
       }
   }
 
@@ -226,6 +247,7 @@ namespace rift
             }
           ++next;
         }
+    rift_check(next == sums.end());
     return loads;
   }
 
@@ -425,6 +447,7 @@ namespace rift
   RigidBodies::load(const Discretization &, const Archive &archive)
   {
     const auto records = archive.read_list<RigidBodyRecord>("rigid bodies");
+    rift_check(records.size() == bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i)
       {
         const RigidBodyRecord &record = records.at(i);

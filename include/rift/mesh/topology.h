@@ -1,6 +1,7 @@
 #ifndef rift_mesh_topology_h
 #define rift_mesh_topology_h
 
+#include <rift/base/check.h>
 #include <rift/base/types.h>
 
 #include <vector>
@@ -142,6 +143,8 @@ namespace rift
     owns_node(const NodeIndex node) const
     {
       const VertexIndex vertex = node_vertices[node];
+      rift_check(!is_complete(vertex) ||
+                 vertex_cells_first(vertex) != vertex_cells_last(vertex));
       return is_complete(vertex) && owns_cell(*vertex_cells_first(vertex));
     }
 
@@ -177,6 +180,7 @@ namespace rift
     NodeIndex
     node(const CellIndex cell, const unsigned int corner) const
     {
+      rift_check(cell < n_cell_slots() && corner < n_corners);
       return batches[cell / batch_size].corner[corner][cell % batch_size];
     }
 
@@ -201,6 +205,7 @@ namespace rift
     CellIndex
     neighbour(const FaceIndex face, const CellIndex cell) const
     {
+      rift_check(faces[face].cells[0] == cell || faces[face].cells[1] == cell);
       return faces[face].cells[faces[face].cells[0] == cell ? 1 : 0];
     }
 
@@ -208,12 +213,14 @@ namespace rift
     const CellIndex *
     vertex_cells_first(const VertexIndex vertex) const
     {
+      rift_check(vertex < n_vertices());
       return vertex_cells.data() + vertex_cells_begin[vertex];
     }
 
     const CellIndex *
     vertex_cells_last(const VertexIndex vertex) const
     {
+      rift_check(vertex < n_vertices());
       return vertex_cells.data() + vertex_cells_begin[vertex + 1];
     }
 
