@@ -1,4 +1,3 @@
-#include <rift/base/check.h>
 #include <rift/base/communicator.h>
 #include <rift/base/exceptions.h>
 
@@ -159,7 +158,6 @@ namespace rift
     std::vector<MPI_Request>   requests;
     for (const auto &[rank, size] : sizes)
       {
-        rift_check(rank >= 0 && rank < n_ranks);
         std::string &bytes = result[rank];
         bytes.resize(size);
         requests.emplace_back();
@@ -173,7 +171,6 @@ namespace rift
       }
     for (const auto &[rank, bytes] : messages)
       {
-        rift_check(rank >= 0 && rank < n_ranks);
         requests.emplace_back();
         MPI_Isend(bytes.data(),
                   mpi_count(bytes.size()),

@@ -157,7 +157,6 @@ namespace rift
           if (boxes_overlap(a.box, b->box))
             {
               ++n_touching;
-              rift_check(a.number != b->number);
               const BoxPair pair{std::min(a.number, b->number),
                                  std::max(a.number, b->number)};
               if (filter(pair))

@@ -30,20 +30,23 @@ namespace rift
                1e-9);
     }
 
-    /** Whether the forces on both cells cancel, but for rounding. What is not
-     * a number passes. */
+    /**
+     * Whether the forces on both cells cancel. Their rounding is that of the
+     * coordinates, so that it grows as the overlap becomes shallow. What is not
+     * a number passes.
+     */
     bool
-    cancel(const std::array<Vector3<double>, 4> &on_a,
-           const std::array<Vector3<double>, 4> &on_b)
+    cancel(const ContactForces &forces, const double volume_fraction)
     {
+      const double    tolerance = std::min(1e-12 / volume_fraction, 1e-3);
       Vector3<double> sum{};
       double          scale = 0;
       for (unsigned int c = 0; c < 4; ++c)
         {
-          sum += on_a[c] + on_b[c];
-          scale += norm(on_a[c]) + norm(on_b[c]);
+          sum += forces.on_a[c] + forces.on_b[c];
+          scale += norm(forces.on_a[c]) + norm(forces.on_b[c]);
         }
-      return !(norm(sum) > 1e-9 * scale);
+      return !(norm(sum) > tolerance * scale);
     }
 
     /** The part of a vector across a normal. */
@@ -185,7 +188,7 @@ namespace rift
         result.on_a[c] += common.weights_a[c] * added;
         result.on_b[c] -= common.weights_b[c] * added;
       }
-    rift_check(cancel(result.on_a, result.on_b));
+    rift_check(cancel(result, common.volume_fraction));
     return result;
   }
 } // namespace rift

@@ -213,14 +213,12 @@ namespace rift
     const CellIndex *
     vertex_cells_first(const VertexIndex vertex) const
     {
-      rift_check(vertex < n_vertices());
       return vertex_cells.data() + vertex_cells_begin[vertex];
     }
 
     const CellIndex *
     vertex_cells_last(const VertexIndex vertex) const
     {
-      rift_check(vertex < n_vertices());
       return vertex_cells.data() + vertex_cells_begin[vertex + 1];
     }
 
