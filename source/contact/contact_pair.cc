@@ -38,7 +38,6 @@ namespace rift
     bool
     cancel(const ContactForces &forces, const double volume_fraction)
     {
-      const double    tolerance = std::min(1e-12 / volume_fraction, 1e-3);
       Vector3<double> sum{};
       double          scale = 0;
       for (unsigned int c = 0; c < 4; ++c)
@@ -46,7 +45,7 @@ namespace rift
           sum += forces.on_a[c] + forces.on_b[c];
           scale += norm(forces.on_a[c]) + norm(forces.on_b[c]);
         }
-      return !(norm(sum) > tolerance * scale);
+      return !(norm(sum) * volume_fraction > 1e-14 * scale);
     }
 
     /** The part of a vector across a normal. */

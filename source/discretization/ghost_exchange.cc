@@ -108,7 +108,7 @@ namespace rift
             rift_check(cell != invalid_index);
             const auto i = static_cast<std::uint32_t>(receiver.corners.size());
             const VertexIndex vertex = topology.vertex(cell, named.corner);
-            rift_check(topology.owns_node(topology.node(cell, named.corner)));
+            rift_check(topology.is_complete(vertex));
             if (receiver.vertices.empty() ||
                 receiver.vertices.back().vertex != vertex)
               receiver.vertices.push_back({vertex, i, i});
