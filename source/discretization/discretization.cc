@@ -205,10 +205,12 @@ namespace rift
   Discretization::load(const Archive &archive)
   {
     const auto records = archive.read_list<CutFaceRecord>("cut faces");
+    // In the intrinsic model they have been cut already.
     std::vector<FaceIndex> faces;
     for (const CutFaceRecord &record : records)
       if (const FaceIndex face = topology.find_face(record.face);
-          face != invalid_index)
+          face != invalid_index &&
+          topology.face_states[face] == FaceState::intact)
         faces.push_back(face);
     std::sort(faces.begin(), faces.end());
 
