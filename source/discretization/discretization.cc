@@ -87,10 +87,7 @@ namespace rift
             activity.wake_node(topology, node);
         }
     }
-  } // namespace
 
-  namespace
-  {
     /** Whether these nodes have a mass each, which sum to that of the node
      * that they have come from. */
     bool

@@ -40,10 +40,7 @@ namespace rift
     {
       return {{sums[0].value(), sums[1].value(), sums[2].value()}};
     }
-  } // namespace
 
-  namespace
-  {
     /** Whether cells that share a face are of one body, or of none. */
     bool
     are_bodies_whole(const Topology                   &topology,
