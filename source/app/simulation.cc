@@ -1,4 +1,5 @@
 #include <rift/app/simulation.h>
+#include <rift/base/check.h>
 #include <rift/base/exceptions.h>
 #include <rift/base/floating_point.h>
 #include <rift/base/number_text.h>
@@ -192,6 +193,7 @@ namespace rift
     const FlushDenormals flush_denormals;
     State               &state = body.discretization.state;
     StepContext          step  = step_context();
+    rift_check(state.n_nodes() == body.discretization.topology.n_nodes());
 
     // 1. Faces that have reached their strength are cut, and nodes split
     const TopologyChange change = cut_faces(step);

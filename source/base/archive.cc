@@ -1,4 +1,5 @@
 #include <rift/base/archive.h>
+#include <rift/base/check.h>
 #include <rift/base/exceptions.h>
 
 #include <stdexcept>
@@ -10,6 +11,7 @@ namespace rift
     ExactSum
     sum_of(const std::string &bytes)
     {
+      rift_check(bytes.size() == sizeof(ExactSum::Digits));
       ExactSum::Digits digits;
       std::memcpy(&digits, bytes.data(), sizeof(digits));
       return ExactSum::from_digits(digits);
@@ -56,6 +58,8 @@ namespace rift
     const auto [known, is_new] = all.emplace(name, entry);
     if (is_new || entry.kind == Kind::value)
       return;
+    rift_check(known->second.kind == entry.kind &&
+               known->second.item_size == entry.item_size);
     std::string &bytes = known->second.bytes;
     if (entry.kind == Kind::list)
       bytes += entry.bytes;

@@ -1,3 +1,4 @@
+#include <rift/base/check.h>
 #include <rift/base/exact_sum.h>
 
 #include <algorithm>
@@ -18,6 +19,25 @@ namespace rift
 
     /** A term adds less than 2^52 to a digit. */
     constexpr std::uint32_t most_terms = 1024;
+
+    /** Whether all digits but the last are positive numbers of 32 bits. */
+    bool
+    is_carried(const ExactSum::Digits &digits)
+    {
+      return std::all_of(digits.begin(),
+                         digits.begin() + (ExactSum::n_digits - 1),
+                         [](const std::int64_t digit) {
+                           return digit >= 0 && (digit >> 32) == 0;
+                         });
+    }
+
+    /** Whether all ranks come with as many sums. Collective. */
+    bool
+    is_same_on_ranks(const std::size_t n_sums, const Communicator &communicator)
+    {
+      const auto n = static_cast<double>(n_sums);
+      return communicator.max(n) == n && communicator.max(-n) == -n;
+    }
   } // namespace
 
   void
@@ -74,6 +94,7 @@ namespace rift
       }
     data[n_digits - 1] += carried;
     n_terms = 0;
+    rift_check(is_carried(data));
   }
 
   double
@@ -120,6 +141,7 @@ namespace rift
   ExactSum
   ExactSum::from_digits(const Digits &digits)
   {
+    rift_check(is_carried(digits));
     ExactSum result;
     result.data = digits;
     return result;
@@ -136,6 +158,7 @@ namespace rift
         const Digits digits = sum->digits();
         all.insert(all.end(), digits.begin(), digits.end());
       }
+    rift_check(is_same_on_ranks(sums.size(), communicator));
     communicator.sum(all);
     auto next = all.begin();
     for (ExactSum *sum : sums)

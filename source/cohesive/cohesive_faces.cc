@@ -1,3 +1,4 @@
+#include <rift/base/check.h>
 #include <rift/cohesive/cohesive_faces.h>
 #include <rift/cohesive/face_kinematics.h>
 #include <rift/cohesive/partings.h>
@@ -24,6 +25,19 @@ namespace rift
         }
   }
 
+  namespace
+  {
+    /** Whether the lanes of a batch with a face have an area, and no others. */
+    bool
+    is_padding_empty(const CohesiveBatch &batch)
+    {
+      for (unsigned int lane = 0; lane < batch_size; ++lane)
+        if ((batch.area[lane] > 0) != (lane < batch.n_faces))
+          return false;
+      return true;
+    }
+  } // namespace
+
   CohesiveFaces::CohesiveFaces(Topology                &topology,
                                const ReferenceCellData &reference)
     : topology(topology)
@@ -37,6 +51,7 @@ namespace rift
                      const State    &state,
                      const double    share)
   {
+    rift_check(!has(face) && share > 0 && share <= 1);
     const unsigned int lane = size() % batch_size;
     if (lane == 0)
       {
@@ -52,6 +67,8 @@ namespace rift
     CohesiveBatch &batch = batches.back();
     batch.n_faces        = lane + 1;
     batch.area[lane]     = reference_area(topology, reference, face);
+    rift_check(is_padding_empty(batch));
+    rift_check(batches.size() == (size() + batch_size - 1) / batch_size);
     update_face(face);
     for (unsigned int e = 0; e < 2; ++e)
       for (unsigned int d = 0; d < dim; ++d)
@@ -71,9 +88,10 @@ namespace rift
   void
   CohesiveFaces::update_face(const FaceIndex index)
   {
-    const std::uint32_t i     = index_of_face[index];
-    CohesiveBatch      &batch = batches[i / batch_size];
-    const Face         &face  = topology.faces[index];
+    const std::uint32_t i = index_of_face[index];
+    rift_check(i < size() && infos[i].face == index);
+    CohesiveBatch &batch = batches[i / batch_size];
+    const Face    &face  = topology.faces[index];
     for (unsigned int c = 0; c < 3; ++c)
       {
         const unsigned int corner      = face_corners[face.local_faces[0]][c];
@@ -91,6 +109,9 @@ namespace rift
                            const double      time)
   {
     FaceState &state = topology.face_states[infos[index].face];
+    rift_check(state != FaceState::intact);
+    rift_check((state >= FaceState::failed) ==
+               (infos[index].failure_time >= 0));
     if (next <= state)
       return;
     if (next >= FaceState::failed)

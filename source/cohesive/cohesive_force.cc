@@ -1,3 +1,4 @@
+#include <rift/base/check.h>
 #include <rift/cohesive/cohesive_force.h>
 
 #include <algorithm>
@@ -6,6 +7,36 @@
 
 namespace rift
 {
+  namespace
+  {
+    /** Whether each corner is of a cut face and occurs once; sorted corners. */
+    bool
+    are_corners_of_cuts(const std::vector<OpeningCorner> &corners,
+                        const Topology                   &topology)
+    {
+      for (std::size_t i = 0; i < corners.size(); ++i)
+        if (topology.face_states[corners[i].face] == FaceState::intact ||
+            corners[i].corner >= 3 ||
+            (i > 0 && corners[i].face == corners[i - 1].face &&
+             corners[i].corner == corners[i - 1].corner))
+          return false;
+      return true;
+    }
+
+    /** Whether there is one number, or vector, for each point of all faces. */
+    bool
+    are_of_all_points(const CohesiveRecords &records)
+    {
+      const std::size_t n = records.faces.size() * n_face_points;
+      return std::all_of(records.points.begin(),
+                         records.points.end(),
+                         [n](const auto &field) {
+                           const std::size_t n_numbers = field.second.size();
+                           return n_numbers == n || n_numbers == dim * n;
+                         });
+    }
+  } // namespace
+
   CohesiveForce::CohesiveForce(Topology                 &topology,
                                const ReferenceCellData  &reference,
                                const FaceStrengths      &strengths,
@@ -58,6 +89,7 @@ namespace rift
                 return std::make_pair(a.face, a.corner) <
                        std::make_pair(b.face, b.corner);
               });
+    rift_check(are_corners_of_cuts(corners, topology));
     const OpeningCorner *const end = corners.data() + corners.size();
     for (const OpeningCorner *first = corners.data(); first != end;)
       {
@@ -105,6 +137,7 @@ namespace rift
   void
   CohesiveForce::restore(const State &state, const CohesiveRecords &records)
   {
+    rift_check(are_of_all_points(records));
     // In the order in which they have begun to open.
     const auto key = [&records](const std::size_t i) {
       const CohesiveFaceRecord &r = records.faces[i];

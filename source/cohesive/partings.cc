@@ -1,3 +1,4 @@
+#include <rift/base/check.h>
 #include <rift/cohesive/partings.h>
 #include <rift/mesh/mesh_data.h>
 
@@ -39,6 +40,42 @@ namespace rift
     return result;
   }
 
+  namespace
+  {
+    /** Whether forces cancel but for rounding; `scale` is that of their terms.
+     * Forces that are not numbers pass. */
+    bool
+    cancel(const std::vector<Vector3<double>> &forces, const double scale)
+    {
+      Vector3<double> sum{};
+      for (const Vector3<double> &force : forces)
+        sum += force;
+      return !(norm(sum) > 1e-12 * scale);
+    }
+
+    /** Sum of the magnitudes of forces. */
+    double
+    sum_of_norms(const std::vector<Vector3<double>> &forces)
+    {
+      double sum = 0;
+      for (const Vector3<double> &force : forces)
+        sum += norm(force);
+      return sum;
+    }
+
+    /** What the bond forces of nodes are differences of, N. */
+    double
+    scale_of_bond(const State                        &state,
+                  const std::vector<NodeIndex>       &nodes,
+                  const std::vector<Vector3<double>> &bond)
+    {
+      double scale = sum_of_norms(bond);
+      for (const NodeIndex node : nodes)
+        scale += norm(state.force[node].vector());
+      return scale;
+    }
+  } // namespace
+
   Partings::Partings(const Topology          &topology,
                      const ReferenceCellData &reference)
     : topology(topology)
@@ -78,6 +115,7 @@ namespace rift
     for (const Parting &parting : partings)
       {
         const auto bond = bond_forces(state, parting, prescribed);
+        rift_check(cancel(bond, scale_of_bond(state, parting.nodes, bond)));
         for (std::size_t i = 0; i < bond.size(); ++i)
           for (unsigned int d = 0; d < dim; ++d)
             state.force[parting.nodes[i]][d] += bond[i][d];
@@ -147,6 +185,7 @@ namespace rift
       for (std::size_t k = 1; k < n; ++k)
         for (std::size_t i = k + 1; i < n; ++i)
           {
+            rift_check(matrix[k * n + k] > 0);
             const double factor = matrix[i * n + k] / matrix[k * n + k];
             for (std::size_t j = k; j < n; ++j)
               matrix[i * n + j] -= factor * matrix[k * n + j];
@@ -159,6 +198,29 @@ namespace rift
           x[i] = (1 / matrix[i * n + i]) * x[i];
         }
       x[0] = {{0, 0, 0}};
+    }
+
+    /** Whether the forces of the last corners, those of `openings`, give each
+     * node its bond force but for rounding. */
+    template <typename Opening>
+    bool
+    are_balanced(const std::vector<Opening>       &openings,
+                 const std::vector<OpeningCorner> &corners,
+                 std::vector<Vector3<double>>      bond,
+                 const double                      scale)
+    {
+      auto corner =
+        corners.end() - static_cast<std::ptrdiff_t>(openings.size());
+      for (const Opening &opening : openings)
+        {
+          bond[opening.minus] -= corner->force;
+          bond[opening.plus] += corner->force;
+          ++corner;
+        }
+      for (const Vector3<double> &left : bond)
+        if (norm(left) > 1e-9 * scale)
+          return false;
+      return true;
     }
   } // namespace
 
@@ -187,5 +249,7 @@ namespace rift
                                 corner,
                                 reference_area(topology, reference, face) *
                                   (lambda[minus] - lambda[plus])});
+    rift_check(
+      are_balanced(parting.openings, opening_forces, bond, sum_of_norms(bond)));
   }
 } // namespace rift

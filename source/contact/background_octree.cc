@@ -1,4 +1,5 @@
 #include <rift/base/bytes.h>
+#include <rift/base/check.h>
 #include <rift/base/types.h>
 #include <rift/contact/background_octree.h>
 
@@ -108,6 +109,17 @@ namespace rift
              std::lower_bound(keys.begin(), keys.end(), first);
     }
 
+    /** Whether each key is in one of the leaves of this rank. */
+    bool
+    have_leaves(const Octree &octree, const std::vector<std::uint64_t> &keys)
+    {
+      std::int64_t n = 0;
+      for (const auto &leaf : octree.active_cell_iterators())
+        if (leaf->is_locally_owned())
+          n += count_points(leaf, keys);
+      return n == static_cast<std::int64_t>(keys.size());
+    }
+
     /** Marks the leaves in which there are too many points. */
     bool
     mark_full_leaves(Octree                           &octree,
@@ -158,6 +170,7 @@ namespace rift
       {
         const std::vector<std::uint64_t> keys =
           own_keys(points, division_of(octree, cube), communicator);
+        rift_check(have_leaves(octree, keys));
         const bool is_full = mark_full_leaves(octree, keys, largest_number);
         if (!communicator.any(is_full))
           {

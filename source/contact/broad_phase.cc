@@ -1,3 +1,4 @@
+#include <rift/base/check.h>
 #include <rift/contact/broad_phase.h>
 
 #include <algorithm>
@@ -217,7 +218,9 @@ namespace rift
             if (collector.is_full())
               return {};
           }
-    return sort_pairs(collector.pairs, boxes.size());
+    auto pairs = sort_pairs(collector.pairs, boxes.size());
+    rift_check(std::adjacent_find(pairs.begin(), pairs.end()) == pairs.end());
+    return pairs;
   }
 
   std::vector<BoxPair>

@@ -1,4 +1,5 @@
 #include <rift/base/bytes.h>
+#include <rift/base/check.h>
 #include <rift/base/exceptions.h>
 #include <rift/base/parameter_text.h>
 #include <rift/contact/contact_force.h>
@@ -55,6 +56,7 @@ namespace rift
       return surface.subscribers(this->topology.find_cell(cell.cell));
     })
   {
+    rift_check(this->interface.cells.size() == topology.n_cell_slots());
   }
 
   std::pair<double, double>
@@ -181,7 +183,8 @@ namespace rift
     for (const BoxPair &found : neighbourhood.pairs)
       {
         const ContactCell &a = cells[found.first], &b = cells[found.second];
-        const auto         name = std::make_pair(a.cell, b.cell);
+        rift_check(a.cell < b.cell && a.owner >= 0 && b.owner >= 0);
+        const auto name = std::make_pair(a.cell, b.cell);
         while (old != old_pairs.end() && name_of(*old) < name)
           ++old;
         Pair pair{};
@@ -196,6 +199,8 @@ namespace rift
                           interface.friction[a.material][b.material],
                           interface.damping,
                           1 / (1 / a.constants.mass + 1 / b.constants.mass)};
+        rift_check(members[pair.a].local != invalid_index ||
+                   members[pair.b].local != invalid_index);
         pairs.push_back(pair);
       }
     subscribe();
@@ -221,7 +226,11 @@ namespace rift
       {
         Partner receiver{rank, {}};
         for (const GlobalCellIndex cell : cells)
-          receiver.cells.push_back(topology.find_cell(cell));
+          {
+            receiver.cells.push_back(topology.find_cell(cell));
+            rift_check(receiver.cells.back() != invalid_index &&
+                       topology.owns_cell(receiver.cells.back()));
+          }
         receivers.push_back(std::move(receiver));
       }
   }
@@ -247,6 +256,7 @@ namespace rift
     for (const Partner &sender : senders)
       {
         const auto motions = from_bytes<CellMotion>(received.at(sender.rank));
+        rift_check(motions.size() == sender.cells.size());
         for (std::size_t i = 0; i < motions.size(); ++i)
           members[sender.cells[i]].cell.motion = motions[i];
       }

@@ -1,3 +1,4 @@
+#include <rift/base/check.h>
 #include <rift/contact/contact_pair.h>
 
 #include <algorithm>
@@ -18,6 +19,33 @@ namespace rift
       for (unsigned int c = 0; c < 4; ++c)
         sum += weights[c] * vectors[c];
       return sum;
+    }
+
+    /** Whether the weights of a point among the corners sum to 1, but for
+     * rounding. */
+    bool
+    sum_to_one(const std::array<double, 4> &weights)
+    {
+      return !(std::abs(weights[0] + weights[1] + weights[2] + weights[3] - 1) >
+               1e-9);
+    }
+
+    /**
+     * Whether the forces on both cells cancel. Their rounding is that of the
+     * coordinates, so that it grows as the overlap becomes shallow. What is not
+     * a number passes.
+     */
+    bool
+    cancel(const ContactForces &forces, const double volume_fraction)
+    {
+      Vector3<double> sum{};
+      double          scale = 0;
+      for (unsigned int c = 0; c < 4; ++c)
+        {
+          sum += forces.on_a[c] + forces.on_b[c];
+          scale += norm(forces.on_a[c]) + norm(forces.on_b[c]);
+        }
+      return !(norm(sum) * volume_fraction > 1e-14 * scale);
     }
 
     /** The part of a vector across a normal. */
@@ -73,6 +101,7 @@ namespace rift
       if (length > longest)
         memory.slip = (longest / length) * memory.slip;
       const Vector3<double> force = memory.stiffness * memory.slip;
+      rift_check(!(norm(force) > (1 + 1e-12) * friction * normal_force));
       return .5 * dot(old_force + force, shift) -
              (spring_energy(memory) - before);
     }
@@ -94,8 +123,9 @@ namespace rift
       const double ratio =
         (common.potential - initial) / (common.potential + 3 * initial);
       const double slope = constants.penalty * ratio * (2 - ratio);
-      result.touches     = true;
-      result.energy = constants.penalty * ratio * (common.potential - initial);
+      rift_check(!(common.potential < 0 || initial < 0 || slope < 0));
+      result.touches = true;
+      result.energy  = constants.penalty * ratio * (common.potential - initial);
       result.is_too_deep =
         initial == 0 &&
         (common.potential > largest_mean_potential * common.volume ||
@@ -125,6 +155,7 @@ namespace rift
         return result;
       }
 
+    rift_check(sum_to_one(common.weights_a) && sum_to_one(common.weights_b));
     const double    slope = press(common, constants, memory, result);
     Vector3<double> force{};
     for (const Vector3<double> &f : result.on_a)
@@ -169,6 +200,7 @@ namespace rift
         result.on_a[c] += common.weights_a[c] * added;
         result.on_b[c] -= common.weights_b[c] * added;
       }
+    rift_check(cancel(result, common.volume_fraction));
     return result;
   }
 } // namespace rift

@@ -1,3 +1,4 @@
+#include <rift/base/check.h>
 #include <rift/contact/contact_surface.h>
 #include <rift/mesh/mesh_data.h>
 
@@ -26,7 +27,10 @@ namespace rift
       auto              other  = topology.vertex_cells_first(vertex);
       while (topology.node(*other, topology.corner_at_vertex(*other, vertex)) !=
              node)
-        ++other;
+        {
+          ++other;
+          rift_check(other != topology.vertex_cells_last(vertex));
+        }
       return n_corners * std::uint64_t(topology.cell_global_indices[*other]) +
              topology.corner_at_vertex(*other, vertex);
     }

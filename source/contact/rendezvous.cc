@@ -1,3 +1,4 @@
+#include <rift/base/check.h>
 #include <rift/contact/background_octree.h>
 #include <rift/contact/rendezvous.h>
 
@@ -25,6 +26,36 @@ namespace rift
       return static_cast<std::uint32_t>(
         std::lower_bound(cells.begin(), cells.end(), name, comes_before) -
         cells.begin());
+    }
+
+    /** Whether cells ascend by name and occur once. */
+    bool
+    do_ascend(const std::vector<ContactCell> &cells)
+    {
+      for (std::size_t i = 1; i < cells.size(); ++i)
+        if (cells[i].cell <= cells[i - 1].cell)
+          return false;
+      return true;
+    }
+
+    /** Whether a cell is at a position. */
+    bool
+    is_at(const std::uint32_t             position,
+          const GlobalCellIndex           name,
+          const std::vector<ContactCell> &cells)
+    {
+      return position < cells.size() && cells[position].cell == name;
+    }
+
+    /** Whether pairs ascend and occur once, each with its first cell first. */
+    bool
+    do_ascend(const std::vector<BoxPair> &pairs)
+    {
+      for (std::size_t i = 0; i < pairs.size(); ++i)
+        if (pairs[i].first >= pairs[i].second ||
+            (i > 0 && !(pairs[i - 1] < pairs[i])))
+          return false;
+      return true;
     }
 
     /** Some pairs and the cells in them. */
@@ -68,12 +99,16 @@ namespace rift
         {
           std::vector<std::uint32_t> position;
           for (const ContactCell &cell : part.cells)
-            position.push_back(position_of(cell.cell, cells));
+            {
+              position.push_back(position_of(cell.cell, cells));
+              rift_check(is_at(position.back(), cell.cell, cells));
+            }
           for (const BoxPair &pair : part.pairs)
             result.pairs.push_back(
               {position[pair.first], position[pair.second]});
         }
       result.pairs = sort_pairs(result.pairs, cells.size());
+      rift_check(do_ascend(result.cells) && do_ascend(result.pairs));
       return result;
     }
   } // namespace
@@ -100,9 +135,11 @@ namespace rift
   ContactNeighbourhood
   Rendezvous::search(std::vector<ContactCell> own, const double skin)
   {
+    rift_check(do_ascend(own));
     if (communicator.size() == 1)
       {
         std::vector<BoxPair> pairs = find_candidates(own, skin, division, 0);
+        rift_check(do_ascend(pairs));
         return {std::move(own), std::move(pairs)};
       }
 
@@ -130,6 +167,7 @@ namespace rift
   Rendezvous::join(const std::vector<ContactCell> &own,
                    const std::vector<NamedPair>   &pairs) const
   {
+    rift_check(do_ascend(own));
     // The two cells of a pair meet at a rank that follows from their names.
     const auto place_of = [this](const NamedPair &pair) {
       return static_cast<int>(pair.first % communicator.size());
@@ -156,8 +194,13 @@ namespace rift
     std::vector<BoxPair> own_pairs;
     for (const NamedPair &pair : pairs)
       if (place_of(pair) == communicator.rank())
-        own_pairs.push_back({position_of(pair.first, received.cells),
-                             position_of(pair.second, received.cells)});
+        {
+          own_pairs.push_back({position_of(pair.first, received.cells),
+                               position_of(pair.second, received.cells)});
+          rift_check(
+            is_at(own_pairs.back().first, pair.first, received.cells) &&
+            is_at(own_pairs.back().second, pair.second, received.cells));
+        }
     return return_pairs(received, own_pairs);
   }
 
@@ -187,6 +230,7 @@ namespace rift
     for (const auto &[rank, message] : new_cells)
       for (const ContactCell &cell : message)
         order.emplace_back(&cell, &new_viewers[order.size()]);
+    rift_check(order.size() == new_viewers.size());
     std::sort(order.begin(), order.end(), [](const auto &a, const auto &b) {
       return a.first->cell < b.first->cell;
     });
@@ -195,8 +239,10 @@ namespace rift
     for (const auto &[cell, ranks] : order)
       {
         received.cells.push_back(*cell);
+        rift_check(std::is_sorted(ranks->begin(), ranks->end()));
         received.subscribers.push_back(std::move(*ranks));
       }
+    rift_check(do_ascend(received.cells));
     return received;
   }
 

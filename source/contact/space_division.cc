@@ -1,3 +1,4 @@
+#include <rift/base/check.h>
 #include <rift/contact/space_division.h>
 
 #include <algorithm>
@@ -34,6 +35,8 @@ namespace rift
     , inverse_edge(1 / edge)
     , first_keys(std::move(first_keys))
   {
+    rift_check(
+      std::is_sorted(this->first_keys.begin(), this->first_keys.end()));
   }
 
   SpaceDivision::GridPoint
@@ -83,6 +86,7 @@ namespace rift
       return {first};
     std::vector<int> ranks;
     collect_ranks(lower, upper, {}, 0, ranks);
+    rift_check(!ranks.empty() && std::is_sorted(ranks.begin(), ranks.end()));
     return ranks;
   }
 
@@ -93,6 +97,7 @@ namespace rift
                                const unsigned int level,
                                std::vector<int>  &ranks) const
   {
+    rift_check(level <= n_levels);
     const std::uint32_t edge = std::uint32_t(1) << (n_levels - level);
     for (unsigned int d = 0; d < 3; ++d)
       if (upper[d] < corner[d] || lower[d] >= corner[d] + edge)

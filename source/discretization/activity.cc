@@ -1,3 +1,4 @@
+#include <rift/base/check.h>
 #include <rift/discretization/activity.h>
 
 #include <algorithm>
@@ -14,6 +15,7 @@ namespace rift
   Activity::grow(const std::size_t n_nodes)
   {
     // A block may hold old nodes at rest as well: a block too many is harmless.
+    rift_check((n_nodes + block_size - 1) / block_size >= blocks.size());
     const std::size_t first_new = blocks.size();
     blocks.resize((n_nodes + block_size - 1) / block_size, 1);
     if (first_new > 0)

@@ -1,6 +1,8 @@
+#include <rift/base/check.h>
 #include <rift/discretization/discretization.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace rift
 {
@@ -54,6 +56,7 @@ namespace rift
               }
             records.push_back(record);
           }
+      rift_check(records.size() == topology.n_owned_nodes());
       return records;
     }
 
@@ -84,6 +87,60 @@ namespace rift
             activity.wake_node(topology, node);
         }
     }
+
+    /** Whether these nodes have a mass each, which sum to that of the node
+     * that they have come from. */
+    bool
+    keep_mass(const State                  &state,
+              const std::vector<NodeIndex> &parts,
+              const double                  mass)
+    {
+      double sum = 0;
+      for (const NodeIndex part : parts)
+        {
+          if (!(state.mass[part] > 0))
+            return false;
+          sum += state.mass[part];
+        }
+      return std::abs(sum - mass) <= 1e-12 * mass;
+    }
+
+    /** Whether all nodes of batches that are awake are so. */
+    bool
+    are_nodes_awake(const Topology &topology, const Activity &activity)
+    {
+      for (std::size_t batch = 0; batch < topology.n_batches(); ++batch)
+        for (const auto &corner : topology.batches[batch].corner)
+          for (const NodeIndex node : corner)
+            if (activity.is_awake(batch) &&
+                !activity.is_block_awake(node / Activity::block_size))
+              return false;
+      return true;
+    }
+
+    /** Whether there is one record, with finite numbers, for each node at a
+     * complete vertex. */
+    bool
+    are_of_all_nodes(const std::vector<NodeRecord> &records,
+                     const Topology                &topology)
+    {
+      std::vector<unsigned int> n_records(topology.n_nodes(), 0);
+      for (const NodeRecord &record : records)
+        {
+          if (const CellIndex cell = topology.find_cell(record.cell);
+              cell != invalid_index)
+            ++n_records[topology.node(cell, record.corner)];
+          for (unsigned int d = 0; d < dim; ++d)
+            if (!std::isfinite(record.displacement[d]) ||
+                !std::isfinite(record.velocity[d]))
+              return false;
+        }
+      for (NodeIndex node = 0; node < topology.n_nodes(); ++node)
+        if (topology.is_complete(topology.node_vertices[node]) &&
+            n_records[node] != 1)
+          return false;
+      return true;
+    }
   } // namespace
 
   std::vector<VertexIndex>
@@ -102,10 +159,16 @@ namespace rift
       return {};
     TopologyChange change = split_nodes(topology, faces);
     state.grow(change);
+    rift_check(state.n_nodes() == topology.n_nodes());
     for (const NodeSplit &split : change.splits)
-      for (const NodeIndex part : split.parts)
-        state.mass[part] = lumped_mass(topology, reference, densities, part);
+      {
+        const double old_mass = state.mass[split.parts[0]];
+        for (const NodeIndex part : split.parts)
+          state.mass[part] = lumped_mass(topology, reference, densities, part);
+        rift_check(keep_mass(state, split.parts, old_mass));
+      }
     activity.grow(topology.n_nodes());
+    rift_check(are_nodes_awake(topology, activity));
     return change;
   }
 
@@ -139,10 +202,12 @@ namespace rift
   Discretization::load(const Archive &archive)
   {
     const auto records = archive.read_list<CutFaceRecord>("cut faces");
+    // In the intrinsic model they have been cut already.
     std::vector<FaceIndex> faces;
     for (const CutFaceRecord &record : records)
       if (const FaceIndex face = topology.find_face(record.face);
-          face != invalid_index)
+          face != invalid_index &&
+          topology.face_states[face] == FaceState::intact)
         faces.push_back(face);
     std::sort(faces.begin(), faces.end());
 
@@ -150,11 +215,14 @@ namespace rift
     for (const CutFaceRecord &record : records)
       if (const FaceIndex face = topology.find_face(record.face);
           face != invalid_index)
-        topology.face_states[face] = static_cast<FaceState>(record.state);
-    move_nodes(archive.read_list<NodeRecord>("nodes"),
-               topology,
-               state,
-               activity);
+        {
+          const auto next = static_cast<FaceState>(record.state);
+          rift_check(next > FaceState::intact && next <= FaceState::released);
+          topology.face_states[face] = next;
+        }
+    const auto nodes = archive.read_list<NodeRecord>("nodes");
+    rift_check(are_of_all_nodes(nodes, topology));
+    move_nodes(nodes, topology, state, activity);
     std::vector<OpeningCorner> no_openings;
     auto       vertices = follow_owners(change.splits, no_openings);
     const auto split    = vertices_of(topology, change.splits);

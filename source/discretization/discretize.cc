@@ -1,3 +1,4 @@
+#include <rift/base/check.h>
 #include <rift/base/exceptions.h>
 #include <rift/discretization/discretize.h>
 #include <rift/mesh/node_splitter.h>
@@ -67,6 +68,12 @@ namespace rift
 
   namespace
   {
+    bool
+    is_positive(const double mass)
+    {
+      return mass > 0;
+    }
+
     /**
      * Keeps FEValues from taking over the gradients of the cell before where
      * both have the same shape: they differ in the last bits, and which cell
@@ -121,6 +128,7 @@ namespace rift
           ReferenceBatch    &batch = result.reference[slot / batch_size];
           const unsigned int lane  = slot % batch_size;
           batch.volume[lane]       = fe_values.JxW(0);
+          rift_check(batch.volume[lane] > 0);
           for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
             {
               const auto [component, corner] = fe.system_to_component_index(i);
@@ -173,6 +181,9 @@ namespace rift
         topology.is_complete(topology.node_vertices[node]) ?
           lumped_mass(topology, result.reference, densities, node) :
           std::numeric_limits<double>::infinity();
+    rift_check(std::all_of(result.state.mass.begin(),
+                           result.state.mass.end(),
+                           is_positive));
     result.activity = Activity(topology);
     return result;
   }

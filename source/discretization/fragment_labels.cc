@@ -1,4 +1,5 @@
 #include <rift/base/bytes.h>
+#include <rift/base/check.h>
 #include <rift/base/disjoint_sets.h>
 #include <rift/discretization/fragment_labels.h>
 
@@ -100,9 +101,9 @@ namespace rift
       std::sort(labels.begin(), labels.end());
       labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
       const auto position = [&](const GlobalCellIndex label) {
-        return static_cast<std::uint32_t>(
-          std::lower_bound(labels.begin(), labels.end(), label) -
-          labels.begin());
+        const auto at = std::lower_bound(labels.begin(), labels.end(), label);
+        rift_check(at != labels.end() && *at == label);
+        return static_cast<std::uint32_t>(at - labels.begin());
       };
       DisjointSets sets(labels.size());
       for (const auto &[a, b] : pairs)
@@ -127,7 +128,11 @@ namespace rift
       auto answers = communicator.exchange(asked);
       for (auto &[rank, cells] : answers)
         for (GlobalCellIndex &cell : cells)
-          cell = labels[topology.find_cell(cell)];
+          {
+            const CellIndex own = topology.find_cell(cell);
+            rift_check(own != invalid_index && topology.owns_cell(own));
+            cell = labels[own];
+          }
       answers = communicator.exchange(answers);
       for (const auto &[rank, cells] : asked)
         for (std::size_t i = 0; i < cells.size(); ++i)

@@ -1,4 +1,5 @@
 #include <rift/base/bytes.h>
+#include <rift/base/check.h>
 #include <rift/discretization/ghost_exchange.h>
 #include <rift/mesh/mesh_data.h>
 
@@ -30,6 +31,17 @@ namespace rift
                            return entry.vertex < v;
                          });
       return at != list.end() && at->vertex == vertex ? at : list.end();
+    }
+
+    /** Whether the vertices of a list ascend and occur once. */
+    template <typename List>
+    bool
+    do_vertices_ascend(const List &list)
+    {
+      for (std::size_t i = 1; i < list.size(); ++i)
+        if (list[i].vertex <= list[i - 1].vertex)
+          return false;
+      return true;
     }
 
     /** Of all messages here: there is one per step and pair of ranks. */
@@ -65,6 +77,8 @@ namespace rift
         if (first == last || topology.is_complete(vertex))
           continue;
         const int sender = topology.cell_owners[*first];
+        rift_check(sender >= 0 && sender < the_communicator.size() &&
+                   sender != the_communicator.rank());
         for (auto cell = first; cell != last; ++cell)
           {
             const unsigned int corner =
@@ -91,8 +105,10 @@ namespace rift
         for (const NamedCorner &named : asked_here)
           {
             const CellIndex cell = topology.find_cell(named.cell);
+            rift_check(cell != invalid_index);
             const auto i = static_cast<std::uint32_t>(receiver.corners.size());
             const VertexIndex vertex = topology.vertex(cell, named.corner);
+            rift_check(topology.is_complete(vertex));
             if (receiver.vertices.empty() ||
                 receiver.vertices.back().vertex != vertex)
               receiver.vertices.push_back({vertex, i, i});
@@ -143,6 +159,7 @@ namespace rift
     NodeIndex &node =
       topology.batches[cell / batch_size].corner[corner][cell % batch_size];
     const NodeIndex old = node;
+    rift_check(changed.node <= sender.nodes.size());
     if (changed.node == sender.nodes.size())
       {
         sender.nodes.push_back(static_cast<NodeIndex>(topology.n_nodes()));
@@ -150,6 +167,7 @@ namespace rift
       }
     sender.corner_nodes[changed.corner] = changed.node;
     node                                = sender.nodes[changed.node];
+    rift_check(topology.node_vertices[node] == topology.node_vertices[old]);
     return old;
   }
 
@@ -169,12 +187,14 @@ namespace rift
                   [](const VertexCorners &a, const VertexCorners &b) {
                     return a.vertex < b.vertex;
                   });
+        rift_check(do_vertices_ascend(receiver.vertices));
       }
     const auto numbers = the_communicator.exchange(answers);
     for (Partner &sender : senders)
       {
         const auto &of_corners  = numbers.at(sender.rank);
         VertexIndex last_vertex = invalid_index;
+        rift_check(of_corners.size() == sender.corners.size());
         for (std::uint32_t i = 0; i < of_corners.size(); ++i)
           {
             const auto [cell, corner] = sender.corners[i];
@@ -288,6 +308,8 @@ namespace rift
           {
             const FaceIndex index =
               topology.find_face({told.minus_cell, told.local_face});
+            rift_check(index != invalid_index &&
+                       topology.face_states[index] != FaceState::intact);
             if (topology.needs_face(index))
               change.openings.push_back(
                 {index,
@@ -298,7 +320,10 @@ namespace rift
         for (const NodeSplit &split : new_nodes.splits)
           state.mass[split.parts[1]] = state.mass[split.parts[0]];
         new_nodes.splits.clear();
+        rift_check(state.n_nodes() == topology.n_nodes());
         activity.grow(topology.n_nodes());
+        rift_check(bytes + sender.nodes.size() * bytes_per_node() ==
+                   sender.buffer.data() + sender.buffer.size());
         unpack_values(bytes, sender, topology, state, activity);
       }
     for (Partner &receiver : receivers)

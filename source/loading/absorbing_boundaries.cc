@@ -1,3 +1,4 @@
+#include <rift/base/check.h>
 #include <rift/loading/absorbing_boundaries.h>
 #include <rift/loading/effect_check.h>
 
@@ -123,6 +124,7 @@ namespace rift
           dashpot[d] += dashpots[i][d];
       }
 
+    rift_check(mass > 0);
     // With f = -C (v + v')/2 and v' = v + dt (F + f)/m:
     // (1 + dt C/2m) (v' + v)/2 = v + dt F/2m
     // but for components that are prescribed.

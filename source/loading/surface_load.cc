@@ -1,3 +1,4 @@
+#include <rift/base/check.h>
 #include <rift/loading/effect_check.h>
 #include <rift/loading/surface_load.h>
 
@@ -182,9 +183,12 @@ namespace rift
         std::array<std::uint32_t, 3> positions;
         const auto                   of_face = face_nodes(topology, face);
         for (unsigned int c = 0; c < 3; ++c)
-          positions[c] = static_cast<std::uint32_t>(
-            std::lower_bound(nodes.begin(), nodes.end(), of_face[c]) -
-            nodes.begin());
+          {
+            positions[c] = static_cast<std::uint32_t>(
+              std::lower_bound(nodes.begin(), nodes.end(), of_face[c]) -
+              nodes.begin());
+            rift_check(nodes[positions[c]] == of_face[c]);
+          }
         face_positions.push_back(positions);
       }
     forces.assign(nodes.size(), {{0, 0, 0}});

@@ -1,3 +1,4 @@
+#include <rift/base/check.h>
 #include <rift/base/exceptions.h>
 #include <rift/base/number_text.h>
 #include <rift/loading/time_table.h>
@@ -161,6 +162,7 @@ namespace rift
 
     const auto   i = next - times.begin() - 1;
     const double s = (t - times[i]) / (times[i + 1] - times[i]);
+    rift_check(s >= 0 && s <= 1);
     return (1 - s) * values[i] + s * values[i + 1];
   }
 
@@ -182,6 +184,7 @@ namespace rift
     };
     for (; row != last; ++row)
       go_to(*row, values[row - times.begin()]);
+    rift_check(begin <= time && time <= end);
     go_to(end, (*this)(end));
     return integral / width;
   }

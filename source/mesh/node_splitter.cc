@@ -1,3 +1,4 @@
+#include <rift/base/check.h>
 #include <rift/base/disjoint_sets.h>
 #include <rift/mesh/mesh_data.h>
 #include <rift/mesh/node_splitter.h>
@@ -31,10 +32,61 @@ namespace rift
               const CellIndex other = topology.neighbour(face, cells[i]);
               const auto      position =
                 std::lower_bound(cells.begin(), cells.end(), other);
+              rift_check(position != cells.end() && *position == other);
               sets.unite(i, position - cells.begin());
             }
         }
       return sets;
+    }
+
+    /** Whether cells that an intact face joins share its node at a vertex. */
+    bool
+    share_nodes_at_intact_faces(const Topology   &topology,
+                                const VertexIndex vertex)
+    {
+      for (auto cell = topology.vertex_cells_first(vertex);
+           cell != topology.vertex_cells_last(vertex);
+           ++cell)
+        {
+          const unsigned int corner = topology.corner_at_vertex(*cell, vertex);
+          for (unsigned int f = 0; f < n_corners; ++f)
+            {
+              const FaceIndex face = topology.cell_faces[*cell][f];
+              if (f == corner || face == invalid_index ||
+                  topology.face_states[face] != FaceState::intact)
+                continue;
+              const CellIndex other = topology.neighbour(face, *cell);
+              if (topology.node(*cell, corner) !=
+                  topology.node(other,
+                                topology.corner_at_vertex(other, vertex)))
+                return false;
+            }
+        }
+      return true;
+    }
+
+    /** Whether all of these nodes are at a vertex, each of them once. */
+    bool
+    are_at_vertex(const Topology               &topology,
+                  const std::vector<NodeIndex> &nodes,
+                  const VertexIndex             vertex)
+    {
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        if (topology.node_vertices[nodes[i]] != vertex ||
+            std::count(nodes.begin(), nodes.end(), nodes[i]) != 1)
+          return false;
+      return true;
+    }
+
+    /** Whether faces are intact, ascend and occur once. */
+    bool
+    can_be_cut(const Topology &topology, const std::vector<FaceIndex> &faces)
+    {
+      for (std::size_t i = 0; i < faces.size(); ++i)
+        if (topology.face_states[faces[i]] != FaceState::intact ||
+            (i > 0 && faces[i] <= faces[i - 1]))
+          return false;
+      return true;
     }
 
     /** Gives each component of cells around a node a node of its own. */
@@ -73,6 +125,9 @@ namespace rift
           topology.batches[cells[i] / batch_size]
             .corner[corner][cells[i] % batch_size] = component_node[first];
         }
+      rift_check(!split.parts.empty() && split.parts[0] == node);
+      rift_check(are_at_vertex(topology, split.parts, vertex));
+      rift_check(share_nodes_at_intact_faces(topology, vertex));
       return split;
     }
   } // namespace
@@ -80,6 +135,7 @@ namespace rift
   TopologyChange
   split_nodes(Topology &topology, const std::vector<FaceIndex> &cut_faces)
   {
+    rift_check(can_be_cut(topology, cut_faces));
     std::vector<NodeIndex> affected;
     for (const FaceIndex face : cut_faces)
       {
@@ -143,7 +199,10 @@ namespace rift
     for (BatchNodes &batch : topology.batches)
       for (auto &corner : batch.corner)
         for (NodeIndex &node : corner)
-          node = numbers[node];
+          {
+            rift_check(numbers[node] != invalid_index);
+            node = numbers[node];
+          }
     topology.node_vertices = std::move(vertices);
   }
 } // namespace rift

@@ -1,11 +1,121 @@
+#include <rift/base/check.h>
 #include <rift/base/checked_cast.h>
 #include <rift/mesh/topology.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
+#include <utility>
 
 namespace rift
 {
+  namespace
+  {
+    /** Whether cells stand in their order and have vertices that exist. */
+    bool
+    are_in_order(const std::vector<LocalCell> &cells,
+                 const std::size_t             n_vertices)
+    {
+      for (std::size_t i = 0; i < cells.size(); ++i)
+        for (const VertexIndex vertex : cells[i].vertices)
+          if (vertex >= n_vertices ||
+              (i > 0 && cells[i].global_index <= cells[i - 1].global_index))
+            return false;
+      return true;
+    }
+
+    /** Whether each batch is in one range, and no material has two. */
+    bool
+    cover_all_batches(const std::vector<MaterialRange> &ranges,
+                      const std::size_t                 n_batches)
+    {
+      std::size_t             end = 0;
+      std::set<std::uint16_t> materials;
+      for (const MaterialRange &range : ranges)
+        {
+          if (range.begin != end || range.end <= range.begin ||
+              !materials.insert(range.material).second)
+            return false;
+          end = range.end;
+        }
+      return end == n_batches;
+    }
+
+    /** Whether padding, and nothing else, has no owner; it is at node 0. */
+    bool
+    is_padding_empty(const Topology &topology)
+    {
+      std::size_t n_cells = 0;
+      for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
+        {
+          const bool is_padding = topology.is_padding(cell);
+          n_cells += is_padding ? 0 : 1;
+          if (is_padding != (topology.cell_owners[cell] < 0))
+            return false;
+          for (unsigned int c = 0; c < n_corners && is_padding; ++c)
+            if (topology.node(cell, c) != 0)
+              return false;
+        }
+      return n_cells == topology.n_cells() &&
+             topology.n_cell_slots() == topology.n_batches() * batch_size;
+    }
+
+    /** Whether the cells around each vertex have it, in ascending order. */
+    bool
+    are_vertex_cells_right(const Topology &topology)
+    {
+      for (VertexIndex vertex = 0; vertex < topology.n_vertices(); ++vertex)
+        {
+          const CellIndex *const first = topology.vertex_cells_first(vertex),
+                                 *const last =
+                                   topology.vertex_cells_last(vertex);
+          for (auto cell = first; cell != last; ++cell)
+            if (topology.corner_at_vertex(*cell, vertex) == n_corners ||
+                (cell != first && *cell <= *(cell - 1)))
+              return false;
+        }
+      return true;
+    }
+
+    /** Whether both cells of a face list it and have its three vertices. */
+    bool
+    is_between_its_cells(const Topology &topology, const FaceIndex index)
+    {
+      const Face      &face = topology.faces[index];
+      const CellIndex *cell = face.cells;
+      for (const unsigned int side : {0, 1})
+        if (topology.cell_faces[cell[side]][face.local_faces[side]] != index)
+          return false;
+      for (unsigned int c = 0; c < n_corners; ++c)
+        {
+          const unsigned int other =
+            topology.corner_at_vertex(cell[1], topology.vertex(cell[0], c));
+          if (c != face.local_faces[0] &&
+              (other == n_corners || other == face.local_faces[1]))
+            return false;
+        }
+      return topology.cell_global_indices[cell[0]] <
+             topology.cell_global_indices[cell[1]];
+    }
+
+    /** Whether the faces stand in their order between their cells. */
+    bool
+    are_faces_right(const Topology &topology)
+    {
+      for (FaceIndex i = 0; i < topology.faces.size(); ++i)
+        {
+          const auto name_of = [&](const FaceIndex face) {
+            const Face &f = topology.faces[face];
+            return std::make_pair(f.cells[0], f.local_faces[0]);
+          };
+          if (!is_between_its_cells(topology, i) ||
+              (i > 0 && !(name_of(i - 1) < name_of(i))))
+            return false;
+        }
+      return true;
+    }
+  } // namespace
+
   Topology::Topology(const std::vector<LocalCell> &cells,
                      const std::size_t             n_vertices,
                      const int                     own_rank)
@@ -16,6 +126,7 @@ namespace rift
         cells.end(),
         [own_rank](const LocalCell &c) { return c.owner == own_rank; }))
   {
+    rift_check(are_in_order(cells, n_vertices));
     node_vertices.resize(n_vertices);
     for (std::size_t i = 0; i < n_vertices; ++i)
       node_vertices[i] = static_cast<VertexIndex>(i);
@@ -23,6 +134,10 @@ namespace rift
     make_batches(cells);
     make_vertex_cells(n_vertices);
     make_faces();
+    rift_check(cover_all_batches(material_ranges, n_batches()));
+    rift_check(is_padding_empty(*this));
+    rift_check(are_vertex_cells_right(*this));
+    rift_check(are_faces_right(*this));
   }
 
   void

@@ -1,3 +1,4 @@
+#include <rift/base/check.h>
 #include <rift/module/energy_table.h>
 
 #include <algorithm>
@@ -15,6 +16,20 @@ namespace rift
       return std::find_if(terms.begin(), terms.end(), [&](const auto &term) {
         return term.first == name;
       });
+    }
+
+    /** Whether all ranks have named the same energies, in one order.
+     * Collective. */
+    bool
+    is_same_on_ranks(const std::vector<std::pair<std::string, ExactSum>> &sums,
+                     const Communicator &communicator)
+    {
+      std::string names;
+      for (const auto &[name, sum] : sums)
+        names += name + ";";
+      std::string names_of_root = names;
+      communicator.broadcast(names_of_root);
+      return names == names_of_root;
     }
   } // namespace
 
@@ -69,6 +84,7 @@ namespace rift
   Energies
   EnergyTable::total(const Communicator &communicator) const
   {
+    rift_check(is_same_on_ranks(sums, communicator));
     auto                    all = sums;
     std::vector<ExactSum *> pointers;
     for (auto &[name, sum] : all)

@@ -1,3 +1,4 @@
+#include <rift/base/check.h>
 #include <rift/base/exceptions.h>
 #include <rift/rigid/rigid_bodies.h>
 
@@ -33,7 +34,19 @@ namespace rift
           sums[d].add(term[d]);
     }
 
-    /** Of a sum that is the same on all ranks. */
+    /** Whether cells that share a face are of one body, or of none. */
+    bool
+    are_bodies_whole(const Topology                   &topology,
+                     const std::vector<std::uint32_t> &body_of_slot,
+                     const std::size_t                 n_bodies)
+    {
+      for (const Face &face : topology.faces)
+        if (const std::uint32_t body = body_of_slot[face.cells[0]];
+            body != body_of_slot[face.cells[1]] ||
+            (body != invalid_index && body >= n_bodies))
+          return false;
+      return true;
+    }
   } // namespace
 
   RigidBodies::RigidBodies(const Topology                        &topology,
@@ -63,6 +76,7 @@ namespace rift
       if (!topology.is_padding(cell))
         body_of_slot[cell] =
           pieces.body_of_cell[topology.cell_global_indices[cell]];
+    rift_check(are_bodies_whole(topology, body_of_slot, bodies.size()));
     for (std::size_t i = 0; i < bodies.size(); ++i)
       {
         bodies[i].material = pieces.materials[i];
@@ -128,8 +142,9 @@ namespace rift
     for (std::size_t i = 0; i < bodies.size(); ++i)
       {
         const auto &[mass, x, y, z] = first[i];
-        bodies[i].mass.mass         = mass;
-        bodies[i].mass.centre       = (1 / mass) * Vector3<double>{{x, y, z}};
+        rift_check(mass > 0);
+        bodies[i].mass.mass   = mass;
+        bodies[i].mass.centre = (1 / mass) * Vector3<double>{{x, y, z}};
       }
 
     const auto second =
@@ -150,6 +165,7 @@ namespace rift
                                                  {{-xy, zz + xx, -yz}},
                                                  {{-zx, -yz, xx + yy}}}};
         mass.inverse_inertia                 = inverse(mass.inertia);
+        rift_check(determinant(mass.inertia) > 0);
       }
   }
 
@@ -206,6 +222,7 @@ namespace rift
             }
           ++next;
         }
+    rift_check(next == sums.end());
     return loads;
   }
 
@@ -407,6 +424,7 @@ namespace rift
                     const Archive        &archive)
   {
     const auto records = archive.read_list<RigidBodyRecord>("rigid bodies");
+    rift_check(records.size() == bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i)
       {
         const RigidBodyRecord &record = records.at(i);

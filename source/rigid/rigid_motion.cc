@@ -1,3 +1,4 @@
+#include <rift/base/check.h>
 #include <rift/rigid/rigid_motion.h>
 
 namespace rift
@@ -8,6 +9,14 @@ namespace rift
     inverse(const Quaternion &q)
     {
       return {q.real, -1. * q.imaginary};
+    }
+
+    /** What is not a number passes. */
+    bool
+    is_of_unit_length(const Quaternion &q)
+    {
+      return !(std::abs(q.real * q.real + dot(q.imaginary, q.imaginary) - 1) >
+               1e-12);
     }
 
     Quaternion
@@ -45,6 +54,7 @@ namespace rift
   bool
   drift(RigidMotion &motion, const RigidMass &mass, const double time_step)
   {
+    rift_check(is_of_unit_length(motion.rotation));
     motion.displacement += time_step * motion.velocity;
     const Vector3<double> &l = motion.angular_momentum;
     if (dot(l, l) == 0)

@@ -1,4 +1,5 @@
 #include <rift/base/bytes.h>
+#include <rift/base/check.h>
 #include <rift/base/disjoint_sets.h>
 #include <rift/base/exceptions.h>
 #include <rift/mesh/face_table.h>
@@ -62,7 +63,11 @@ namespace rift
               pieces.materials.push_back(mesh.cell_materials[cell]);
             }
           else
-            pieces.body_of_cell[cell] = pieces.body_of_cell[first_cell];
+            {
+              rift_check(first_cell < cell &&
+                         pieces.body_of_cell[first_cell] != invalid_index);
+              pieces.body_of_cell[cell] = pieces.body_of_cell[first_cell];
+            }
         }
     return pieces;
   }

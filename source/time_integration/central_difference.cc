@@ -1,9 +1,26 @@
+#include <rift/base/check.h>
 #include <rift/time_integration/central_difference.h>
 
 #include <algorithm>
 
 namespace rift
 {
+  namespace
+  {
+    /** Whether the nodes of a block have neither force nor velocity. */
+    bool
+    is_block_at_rest(const State &state, const std::size_t begin)
+    {
+      const std::size_t end =
+        std::min(begin + Activity::block_size, state.n_nodes());
+      for (std::size_t i = begin; i < end; ++i)
+        for (unsigned int d = 0; d < dim; ++d)
+          if (state.force[i][d] != 0 || state.velocity[i][d] != 0)
+            return false;
+      return true;
+    }
+  } // namespace
+
   void
   advance(State &state, const Activity &activity, const double time_step)
   {
@@ -11,7 +28,10 @@ namespace rift
     for (std::size_t begin = 0; begin < n_nodes; begin += Activity::block_size)
       {
         if (!activity.is_block_awake(begin / Activity::block_size))
-          continue;
+          {
+            rift_check(is_block_at_rest(state, begin));
+            continue;
+          }
         const std::size_t end = std::min(begin + Activity::block_size, n_nodes);
         for (std::size_t i = begin; i < end; ++i)
           {

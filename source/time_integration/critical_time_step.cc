@@ -1,3 +1,4 @@
+#include <rift/base/check.h>
 #include <rift/solid/cell_frequency.h>
 #include <rift/time_integration/critical_time_step.h>
 
@@ -58,7 +59,9 @@ namespace rift
             if (is_faster(cell, fastest))
               fastest = cell;
           }
-      return communicator.first_of_ranks(fastest, is_faster);
+      fastest = communicator.first_of_ranks(fastest, is_faster);
+      rift_check(fastest.cell != invalid_index);
+      return fastest;
     }
   } // namespace
 

@@ -1,6 +1,7 @@
 #ifndef rift_base_archive_h
 #define rift_base_archive_h
 
+#include <rift/base/check.h>
 #include <rift/base/exact_sum.h>
 #include <rift/base/plain_bytes.h>
 
@@ -68,7 +69,8 @@ namespace rift
     std::vector<T>
     read_list(const std::string &name) const
     {
-      const Entry   &entry = find(name, Kind::list, sizeof(T));
+      const Entry &entry = find(name, Kind::list, sizeof(T));
+      rift_check(entry.bytes.size() % sizeof(T) == 0);
       std::vector<T> items(entry.bytes.size() / sizeof(T));
       if (!items.empty())
         std::memcpy(items.data(), entry.bytes.data(), entry.bytes.size());

@@ -1,6 +1,8 @@
 #ifndef rift_base_bytes_h
 #define rift_base_bytes_h
 
+#include <rift/base/check.h>
+
 #include <cstddef>
 #include <cstring>
 #include <string>
@@ -55,6 +57,7 @@ namespace rift
   std::vector<T>
   from_bytes(const std::string &bytes)
   {
+    rift_check(bytes.size() % sizeof(T) == 0);
     const char *position = bytes.data();
     return take<T>(position, bytes.size() / sizeof(T));
   }
@@ -75,6 +78,7 @@ namespace rift
   object_from_bytes(const std::string &bytes)
   {
     static_assert(std::is_trivially_copyable_v<T>, "no plain data");
+    rift_check(bytes.size() == sizeof(T));
     T object;
     std::memcpy(&object, bytes.data(), sizeof(T));
     return object;

@@ -1,6 +1,8 @@
 #ifndef rift_base_disjoint_sets_h
 #define rift_base_disjoint_sets_h
 
+#include <rift/base/check.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -27,6 +29,7 @@ namespace rift
     std::uint32_t
     find(std::uint32_t i)
     {
+      rift_check(i < parent.size());
       while (parent[i] != i)
         i = parent[i] = parent[parent[i]];
       return i;
@@ -38,6 +41,7 @@ namespace rift
     {
       const std::uint32_t a = find(i), b = find(j);
       parent[std::max(a, b)] = std::min(a, b);
+      rift_check(find(i) == std::min(a, b) && find(j) == std::min(a, b));
     }
 
   private:

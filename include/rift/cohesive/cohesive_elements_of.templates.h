@@ -1,6 +1,7 @@
 #ifndef rift_cohesive_cohesive_elements_of_templates_h
 #define rift_cohesive_cohesive_elements_of_templates_h
 
+#include <rift/base/check.h>
 #include <rift/cohesive/cohesive_elements_of.h>
 
 #include <algorithm>
@@ -40,6 +41,8 @@ namespace rift
         else
           set_lane(all_constants[i / batch_size], i % batch_size, constants);
       }
+    rift_check(all_constants.size() == faces.batches.size() &&
+               memory_of_batch.size() == faces.batches.size());
     for (std::size_t i = first; i < n_known_faces; ++i)
       if (Memory *memory = memory_of(i / batch_size))
         start_points(*memory, i);
@@ -61,6 +64,7 @@ namespace rift
   typename CohesiveElementsOf<Law>::Memory &
   CohesiveElementsOf<Law>::make_memory(const std::size_t b)
   {
+    rift_check(memory_of_batch[b] == invalid_index);
     memory_of_batch[b]      = static_cast<std::uint32_t>(memories.size());
     const std::size_t first = b * batch_size;
     Memory            memory{};
@@ -255,6 +259,7 @@ namespace rift
                                      const OpeningCorner *last)
   {
     const std::size_t index = faces.index(first->face);
+    rift_check(last - first <= 3 && memory_of(index / batch_size) != nullptr);
     if (faces.state(index) == FaceState::released)
       return;
     const CohesiveBatch &batch  = faces.batches[index / batch_size];
@@ -443,6 +448,7 @@ namespace rift
       {
         if (!faces.is_owned(i) || !faces.has_opened(i))
           continue;
+        rift_check(memory_of(i / batch_size) != nullptr);
         const CohesiveFaceInfo &info   = faces.infos[i];
         const Memory           &memory = *memory_of(i / batch_size);
         const unsigned int      lane   = i % batch_size;
@@ -475,6 +481,7 @@ namespace rift
         const std::size_t i = indices[r];
         if (i == invalid_index)
           continue;
+        rift_check(faces.has_opened(i));
         const CohesiveFaceRecord &record = records.faces[r];
         const unsigned int        lane   = i % batch_size;
         Memory                   *memory = memory_of(i / batch_size);

@@ -1,6 +1,7 @@
 #ifndef rift_cohesive_cohesive_faces_h
 #define rift_cohesive_cohesive_faces_h
 
+#include <rift/base/check.h>
 #include <rift/base/simd.h>
 #include <rift/discretization/activity.h>
 #include <rift/discretization/reference_cell_data.h>
@@ -93,6 +94,7 @@ namespace rift
     std::size_t
     index(const FaceIndex face) const
     {
+      rift_check(has(face));
       return index_of_face[face];
     }
 

@@ -1,6 +1,7 @@
 #ifndef rift_mesh_topology_h
 #define rift_mesh_topology_h
 
+#include <rift/base/check.h>
 #include <rift/base/types.h>
 
 #include <vector>
@@ -148,6 +149,8 @@ namespace rift
     owns_node(const NodeIndex node) const
     {
       const VertexIndex vertex = node_vertices[node];
+      rift_check(!is_complete(vertex) ||
+                 vertex_cells_first(vertex) != vertex_cells_last(vertex));
       return is_complete(vertex) && owns_cell(*vertex_cells_first(vertex));
     }
 
@@ -187,6 +190,7 @@ namespace rift
     NodeIndex
     node(const CellIndex cell, const unsigned int corner) const
     {
+      rift_check(cell < n_cell_slots() && corner < n_corners);
       return batches[cell / batch_size].corner[corner][cell % batch_size];
     }
 
@@ -212,6 +216,7 @@ namespace rift
     CellIndex
     neighbour(const FaceIndex face, const CellIndex cell) const
     {
+      rift_check(faces[face].cells[0] == cell || faces[face].cells[1] == cell);
       return faces[face].cells[faces[face].cells[0] == cell ? 1 : 0];
     }
 

@@ -1,6 +1,7 @@
 #ifndef rift_cohesive_laws_linear_softening_h
 #define rift_cohesive_laws_linear_softening_h
 
+#include <rift/base/check.h>
 #include <rift/cohesive/cohesive_model.h>
 #include <rift/cohesive/laws/fields.h>
 #include <rift/cohesive/laws/law_values.h>
@@ -402,6 +403,7 @@ namespace rift
         select(separates,
                zero,
                1. / (1. + flow * point.strength / nonzero(point.separation)));
+      rift_check(!any((left < 0.) | (left > 1.)));
       const Number damage = 1. - (1. - point.damage) * left;
       const Number mode   = sliding / effective;
       point.sliding +=

@@ -1,6 +1,7 @@
 #ifndef rift_cohesive_laws_mohr_coulomb_templates_h
 #define rift_cohesive_laws_mohr_coulomb_templates_h
 
+#include <rift/base/check.h>
 #include <rift/cohesive/laws/mohr_coulomb.h>
 
 // The functions of MohrCoulomb that exist for all types of numbers.
@@ -295,13 +296,15 @@ namespace rift
                               const Number            &slip) const
   {
     const Number zero{}, one = zero + 1.;
-    const auto   alive = point.softening > zero;
+    rift_check(!any((opening < zero) | (slip < zero)));
+    const auto alive = point.softening > zero;
     point.opening += select(alive, opening * point.inverse_opening, zero);
     point.slip += select(alive, slip * point.inverse_slip, zero);
     const Number damage_squared =
       point.opening * point.opening + point.slip * point.slip;
     const Number share =
       min(softening(sqrt(min(damage_squared, one))), point.softening);
+    rift_check(!any(share < zero));
     point.softening     = select(damage_squared >= one, zero, share);
     const Number fall   = excess_slope * constants.stiffness;
     point.normal_excess = max(point.normal_excess - fall * opening, zero);
