@@ -1,4 +1,5 @@
 #include <rift/cohesive/face_strengths.h>
+#include <rift/discretization/ghost_exchange.h>
 #include <rift/material/elasticity.h>
 
 #include <algorithm>
@@ -59,8 +60,7 @@ namespace rift
   FaceStrengths::FaceStrengths(const Topology                        &topology,
                                const ReferenceCellData               &reference,
                                const std::vector<MaterialParameters> &materials,
-                               const CohesiveParameters &parameters,
-                               const Communicator       &communicator)
+                               const CohesiveParameters &parameters)
     : topology(topology)
     , reference(reference)
     , materials(materials)
@@ -76,7 +76,6 @@ namespace rift
       }
     if (any_scatter)
       scatter(parameters.seed);
-    find_bounds(communicator);
   }
 
   void
@@ -164,8 +163,8 @@ namespace rift
     return result;
   }
 
-  void
-  FaceStrengths::find_bounds(const Communicator &communicator)
+  StressBounds
+  FaceStrengths::stress_bounds(const Communicator &communicator) const
   {
     constexpr double margin = .9;
 
@@ -177,7 +176,6 @@ namespace rift
     for (const MaterialParameters &material : materials)
       if (material.breakable)
         tan = std::min(tan, std::tan(material.friction_angle));
-    const double cos = 1 / std::sqrt(1 + tan * tan);
 
     const std::size_t   n_materials = materials.size();
     std::vector<double> tensile_strengths(n_materials, largest);
@@ -185,7 +183,7 @@ namespace rift
     for (FaceIndex face = 0; face < topology.faces.size(); ++face)
       if (is_breakable(face))
         {
-          const FaceStrength s = strength(face);
+          const FaceStrength s = weaker_side(face);
           for (const CellIndex cell : topology.faces[face].cells)
             {
               const auto m = topology.material(cell);
@@ -196,15 +194,37 @@ namespace rift
         }
 
     // Of the whole body: which cells are looked at must not depend on the rank.
-    bounds.resize(n_materials);
+    StressBounds bounds{std::vector<std::optional<StressBound>>(n_materials),
+                        cell_factors(communicator)};
     for (std::size_t m = 0; m < n_materials; ++m)
       {
         const double tensile_strength =
           -communicator.max(-tensile_strengths[m]);
         const double cohesion = -communicator.max(-cohesions[m]);
         if (tensile_strength < largest)
-          bounds[m] =
-            StressBound{margin * tensile_strength, margin * cohesion, tan, cos};
+          bounds.materials[m] =
+            StressBound{margin * tensile_strength, margin * cohesion, tan};
       }
+    return bounds;
+  }
+
+  std::vector<Simd>
+  FaceStrengths::cell_factors(const Communicator &communicator) const
+  {
+    if (factors.empty())
+      return {};
+    std::vector<double> smallest(topology.n_cell_slots(),
+                                 std::numeric_limits<double>::infinity());
+    for (FaceIndex face = 0; face < topology.faces.size(); ++face)
+      if (is_breakable(face))
+        for (const CellIndex cell : topology.faces[face].cells)
+          smallest[cell] = std::min(smallest[cell], factors[face]);
+    // Not all faces of a ghost are here.
+    copy_to_ghosts(communicator, topology, smallest);
+
+    std::vector<Simd> result(topology.n_batches());
+    for (CellIndex cell = 0; cell < smallest.size(); ++cell)
+      result[cell / batch_size][cell % batch_size] = smallest[cell];
+    return result;
   }
 } // namespace rift

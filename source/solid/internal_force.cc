@@ -2,6 +2,7 @@
 #include <rift/solid/internal_force.h>
 #include <rift/solid/principal_stresses.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace rift
@@ -14,37 +15,69 @@ namespace rift
      */
     constexpr double safe_strain_squared = .02;
 
-    /** The constants of a StressBound in the form that hot_lanes() needs. */
-    struct HotCheck
+    /** The bound of a material in the form that hot_lanes() needs. */
+    class HotCheck
     {
-      explicit HotCheck(const StressBound &bound)
-        : tensile_strength(bound.tensile_strength)
-        , cohesion(bound.cohesion)
-        , friction(bound.tan_friction_angle)
-        , inverse_shear_factor_squared(
-            std::pow(1 / (std::sqrt(.5) / bound.cos_friction_angle +
-                          bound.tan_friction_angle / std::sqrt(24.)),
-                     2))
+    public:
+      /** @param factors of all batches, or null. */
+      HotCheck(const StressBound &bound, const Simd *factors)
+        : bound(bound)
+        , factors(factors)
       {
+        // The reduced friction of the bound may be negative, but not by more.
+        const double tan = std::max(bound.tan_friction_angle,
+                                    StressBound{0, 0, 0}.friction_loss(
+                                      StressBound::small_strain_squared));
+        inverse_shear_factor_squared =
+          1 /
+          std::pow(std::sqrt(.5 * (1 + tan * tan)) + tan / std::sqrt(24.), 2);
       }
 
-      /** Where the norm of the deviator exceeds what the mean stress allows. */
+      /** Where the norm of the deviator exceeds what the mean stress allows.
+       *
+       * @param s stress of the batch. */
+      SimdMask
+      hot_lanes(const std::size_t            batch,
+                const SymmetricTensor<Simd> &s,
+                const Simd                  &strain_squared) const
+      {
+        return factors == nullptr ?
+                 hot_lanes(s,
+                           strain_squared,
+                           bound.tensile_strength,
+                           bound.cohesion) :
+                 hot_lanes(s,
+                           strain_squared,
+                           bound.tensile_strength * factors[batch],
+                           bound.cohesion * factors[batch]);
+      }
+
+    private:
+      /** @tparam Strength double or Simd. */
+      template <typename Strength>
       SimdMask
       hot_lanes(const SymmetricTensor<Simd> &s,
-                const Simd                  &strain_squared) const
+                const Simd                  &strain_squared,
+                const Strength              &tensile_strength,
+                const Strength              &cohesion) const
       {
         const Simd zero{};
         const Simd mean     = (s[0] + s[1] + s[2]) * (1. / 3.);
         const Simd deviator = contract(s, s) - 3. * mean * mean;
         const Simd tension  = max(tensile_strength - mean, zero);
-        const Simd shear    = max(cohesion - friction * mean, zero);
-        const Simd allowed  = min(1.5 * tension * tension,
+        const Simd reduction =
+          bound.friction_loss(strain_squared) * max(zero - mean, zero);
+        const Simd shear =
+          max(cohesion - bound.tan_friction_angle * mean - reduction, zero);
+        const Simd allowed = min(1.5 * tension * tension,
                                  inverse_shear_factor_squared * shear * shear);
         return (deviator >= allowed) |
                (strain_squared > StressBound::small_strain_squared);
       }
 
-      double tensile_strength, cohesion, friction, inverse_shear_factor_squared;
+      StressBound bound;
+      const Simd *factors;
+      double      inverse_shear_factor_squared;
     };
 
     /**
@@ -71,9 +104,9 @@ namespace rift
   }
 
   void
-  InternalForce::watch(std::vector<std::optional<StressBound>> new_bounds)
+  InternalForce::watch(const StressBounds &new_bounds)
   {
-    bounds = std::move(new_bounds);
+    bounds = &new_bounds;
   }
 
   std::optional<FailedCell>
@@ -86,7 +119,7 @@ namespace rift
         if (std::holds_alternative<RigidElasticity>(laws[range.material]))
           continue;
         const bool is_watched =
-          !bounds.empty() && bounds[range.material].has_value();
+          bounds != nullptr && bounds->materials[range.material].has_value();
         const auto failed_here = std::visit(
           [&](const auto &law) {
             using Law = std::decay_t<decltype(law)>;
@@ -111,8 +144,10 @@ namespace rift
     // A copy that nobody else can change stays in registers.
     const Law                 law = the_law;
     std::optional<FailedCell> failed;
-    const HotCheck            check(is_watched ? *bounds[range.material] :
-                                      StressBound{0, 0, 0, 1});
+    const HotCheck            check(
+      is_watched ? *bounds->materials[range.material] : StressBound{0, 0, 0},
+      is_watched && !bounds->factors.empty() ? bounds->factors.data() :
+                                               nullptr);
 
     for (std::size_t b = range.begin; b < range.end; ++b)
       {
@@ -132,7 +167,7 @@ namespace rift
         const Simd strain_squared = contract(strain, strain);
         if (is_watched)
           {
-            const SimdMask is_hot = check.hot_lanes(stress, strain_squared);
+            const SimdMask is_hot = check.hot_lanes(b, stress, strain_squared);
             if (any(is_hot))
               for (unsigned int lane = 0; lane < batch_size; ++lane)
                 if (is_hot[lane] && !topology.is_padding(b * batch_size + lane))

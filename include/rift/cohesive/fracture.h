@@ -112,6 +112,7 @@ namespace rift
     std::optional<CohesiveForce> force;
 
     /** In the extrinsic model. */
+    StressBounds             bounds;
     std::optional<Insertion> insertion;
   };
 } // namespace rift
