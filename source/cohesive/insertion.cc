@@ -73,8 +73,9 @@ namespace rift
     const Simd     strain_squared   = contract(stress.strain, stress.strain);
     const SimdMask is_large =
       strain_squared > StressBound::small_strain_squared;
-    const Simd           friction_loss = bound.friction_loss(strain_squared);
-    const Matrix3<Simd> &g             = reference[batch].gradients;
+    const Simd friction_under_pressure =
+      bound.friction_under_pressure().at(strain_squared);
+    const Matrix3<Simd> &g = reference[batch].gradients;
     const Simd           zero{};
 
     std::array<std::uint8_t, n_corners> result{};
@@ -100,9 +101,9 @@ namespace rift
           dot(traction, traction) * square - normal * normal;
         // Friction counts in tension, too: only then is the bound convex, so
         // that the mean of two cells within it is within it.
-        const Simd shear_limit = cohesion * square -
-                                 bound.tan_friction_angle * normal -
-                                 friction_loss * max(zero - normal, zero);
+        const Simd shear_limit =
+          cohesion * square - max(bound.tan_friction_angle * normal,
+                                  friction_under_pressure * normal);
         const SimdMask mask =
           (normal >= tensile_strength * square) | (shear_limit <= 0.) |
           (shear_squared >= shear_limit * shear_limit) | is_large;

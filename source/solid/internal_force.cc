@@ -15,22 +15,29 @@ namespace rift
      */
     constexpr double safe_strain_squared = .02;
 
-    /** The bound of a material in the form that hot_lanes() needs. */
+    /**
+     * A StressBound as a bound of the norm of the deviator: all its numbers
+     * divided by their factors of that norm in eq. (10).
+     */
     class HotCheck
     {
     public:
       /** @param factors of all batches, or null. */
       HotCheck(const StressBound &bound, const Simd *factors)
-        : bound(bound)
-        , factors(factors)
+        : factors(factors)
+        , tensile_strength(inverse_tension_factor * bound.tensile_strength)
       {
-        // The reduced friction of the bound may be negative, but not by more.
-        const double tan = std::max(bound.tan_friction_angle,
-                                    StressBound{0, 0, 0}.friction_loss(
-                                      StressBound::small_strain_squared));
-        inverse_shear_factor_squared =
-          1 /
-          std::pow(std::sqrt(.5 * (1 + tan * tan)) + tan / std::sqrt(24.), 2);
+        StressBound::ReducedFriction reduced = bound.friction_under_pressure();
+        // Where it is negative, its magnitude counts.
+        const double tan =
+          std::max(bound.tan_friction_angle,
+                   -reduced.at(StressBound::small_strain_squared));
+        const double inverse_factor =
+          1 / (std::sqrt(.5 * (1 + tan * tan)) + tan / std::sqrt(24.));
+        cohesion                = inverse_factor * bound.cohesion;
+        friction                = inverse_factor * bound.tan_friction_angle;
+        friction_under_pressure = {inverse_factor * reduced.initial,
+                                   inverse_factor * reduced.slope};
       }
 
       /** Where the norm of the deviator exceeds what the mean stress allows.
@@ -42,14 +49,11 @@ namespace rift
                 const Simd                  &strain_squared) const
       {
         return factors == nullptr ?
+                 hot_lanes(s, strain_squared, tensile_strength, cohesion) :
                  hot_lanes(s,
                            strain_squared,
-                           bound.tensile_strength,
-                           bound.cohesion) :
-                 hot_lanes(s,
-                           strain_squared,
-                           bound.tensile_strength * factors[batch],
-                           bound.cohesion * factors[batch]);
+                           tensile_strength * factors[batch],
+                           cohesion * factors[batch]);
       }
 
     private:
@@ -61,23 +65,22 @@ namespace rift
                 const Strength              &tensile_strength,
                 const Strength              &cohesion) const
       {
-        const Simd zero{};
         const Simd mean     = (s[0] + s[1] + s[2]) * (1. / 3.);
         const Simd deviator = contract(s, s) - 3. * mean * mean;
-        const Simd tension  = max(tensile_strength - mean, zero);
-        const Simd reduction =
-          bound.friction_loss(strain_squared) * max(zero - mean, zero);
+        const Simd tension  = tensile_strength - inverse_tension_factor * mean;
         const Simd shear =
-          max(cohesion - bound.tan_friction_angle * mean - reduction, zero);
-        const Simd allowed = min(1.5 * tension * tension,
-                                 inverse_shear_factor_squared * shear * shear);
-        return (deviator >= allowed) |
+          cohesion - max(friction * mean,
+                         friction_under_pressure.at(strain_squared) * mean);
+        const Simd allowed = max(min(tension, shear), Simd{});
+        return (deviator >= allowed * allowed) |
                (strain_squared > StressBound::small_strain_squared);
       }
 
-      StressBound bound;
-      const Simd *factors;
-      double      inverse_shear_factor_squared;
+      static constexpr double inverse_tension_factor = 1.224744871391589;
+
+      const Simd                  *factors;
+      double                       tensile_strength, cohesion, friction;
+      StressBound::ReducedFriction friction_under_pressure;
     };
 
     /**

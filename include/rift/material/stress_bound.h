@@ -27,24 +27,35 @@ namespace rift
      * shear in compression. */
     double tan_friction_angle;
 
-    /**
-     * By how much tan(phi) is reduced on planes under pressure, since the
-     * tractions there follow from the second Piola-Kirchhoff stress only up to
-     * a part of the strain: (2 tan(phi) + 1.42) times an upper estimate of the
-     * norm of the strain (doc/theory.md, eq. 10a), valid up to
-     * small_strain_squared.
-     *
-     * @tparam Number double or Simd.
-     * @param strain_squared squared norm of the strain.
-     */
-    template <typename Number>
-    Number
-    friction_loss(const Number &strain_squared) const
+    /** A coefficient of friction that falls with the squared norm of the
+     * strain. */
+    struct ReducedFriction
     {
-      // sqrt(x) lies below its tangent at x = e^2.
+      double initial, slope;
+
+      /** @tparam Number double or Simd. */
+      template <typename Number>
+      Number
+      at(const Number &strain_squared) const
+      {
+        return initial - slope * strain_squared;
+      }
+    };
+
+    /**
+     * Friction on planes under pressure, where the shear that the second
+     * Piola-Kirchhoff stress gives differs from that of the traction by a part
+     * of the normal stress: less than tan(phi) by (2 tan(phi) + 1.42) times an
+     * upper estimate of the norm of the strain, which holds up to
+     * small_strain_squared (doc/theory.md, eq. 10a).
+     */
+    ReducedFriction
+    friction_under_pressure() const
+    {
+      // sqrt(x) lies below its tangent at x = e^2, (e + x/e)/2.
       constexpr double e      = .008;
       const double     factor = tan_friction_angle + .71;
-      return factor * e + (factor / e) * strain_squared;
+      return {tan_friction_angle - factor * e, factor / e};
     }
   };
 
