@@ -21,6 +21,16 @@ namespace rift
               std::min(a.fracture_energy_2, b.fracture_energy_2)};
     }
 
+    bool
+    any_scatters(const std::vector<MaterialParameters> &materials)
+    {
+      return std::any_of(materials.begin(),
+                         materials.end(),
+                         [](const MaterialParameters &material) {
+                           return material.weibull_modulus > 0;
+                         });
+    }
+
     /** Scrambles the bits of a number (the finaliser of splitmix64). */
     std::uint64_t
     scramble(std::uint64_t x)
@@ -65,16 +75,12 @@ namespace rift
     , reference(reference)
     , materials(materials)
   {
-    constexpr Vector3<double> any         = {{1, 0, 0}};
-    bool                      any_scatter = false;
+    constexpr Vector3<double> any = {{1, 0, 0}};
     for (const MaterialParameters &a : materials)
-      {
-        any_scatter |= a.weibull_modulus > 0;
-        for (const MaterialParameters &b : materials)
-          pairs.push_back(
-            weaker_of(strength_across(a, any), strength_across(b, any)));
-      }
-    if (any_scatter)
+      for (const MaterialParameters &b : materials)
+        pairs.push_back(
+          weaker_of(strength_across(a, any), strength_across(b, any)));
+    if (any_scatters(materials))
       scatter(parameters.seed);
   }
 
@@ -211,7 +217,8 @@ namespace rift
   std::vector<Simd>
   FaceStrengths::cell_factors(const Communicator &communicator) const
   {
-    if (factors.empty())
+    // A rank may have no faces, but must answer the others.
+    if (!any_scatters(materials))
       return {};
     std::vector<double> smallest(topology.n_cell_slots(),
                                  std::numeric_limits<double>::infinity());
