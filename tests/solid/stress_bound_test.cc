@@ -286,9 +286,9 @@ TEST(StressBound, NeverMissesFiniteStrains)
 }
 
 // Here the tractions differ most from those of the second Piola-Kirchhoff
-// stress, and the strength is a small difference of shear and friction. Norms of
-// the strain are up to that from which all cells are hot: pressures are up to
-// 1.6 GPa for the orthotropic rock, and between 1.1 and 6.6 GPa for granite.
+// stress, and the strength is a small difference of shear and friction. Strains
+// reach the norm from which all cells are hot: pressures of 0.7 GPa in the
+// orthotropic rock, and of 0.9 to 7 GPa in the isotropic ones.
 TEST(StressBound, NeverMissesShearUnderStrongPressure)
 {
   Random                                 random(3);
