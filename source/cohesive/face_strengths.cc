@@ -1,4 +1,5 @@
 #include <rift/cohesive/face_strengths.h>
+#include <rift/discretization/ghost_exchange.h>
 #include <rift/material/elasticity.h>
 
 #include <algorithm>
@@ -18,6 +19,16 @@ namespace rift
               std::min(a.residual_friction, b.residual_friction),
               std::min(a.fracture_energy_1, b.fracture_energy_1),
               std::min(a.fracture_energy_2, b.fracture_energy_2)};
+    }
+
+    bool
+    any_scatters(const std::vector<MaterialParameters> &materials)
+    {
+      return std::any_of(materials.begin(),
+                         materials.end(),
+                         [](const MaterialParameters &material) {
+                           return material.weibull_modulus > 0;
+                         });
     }
 
     /** Scrambles the bits of a number (the finaliser of splitmix64). */
@@ -59,24 +70,18 @@ namespace rift
   FaceStrengths::FaceStrengths(const Topology                        &topology,
                                const ReferenceCellData               &reference,
                                const std::vector<MaterialParameters> &materials,
-                               const CohesiveParameters &parameters,
-                               const Communicator       &communicator)
+                               const CohesiveParameters &parameters)
     : topology(topology)
     , reference(reference)
     , materials(materials)
   {
-    constexpr Vector3<double> any         = {{1, 0, 0}};
-    bool                      any_scatter = false;
+    constexpr Vector3<double> any = {{1, 0, 0}};
     for (const MaterialParameters &a : materials)
-      {
-        any_scatter |= a.weibull_modulus > 0;
-        for (const MaterialParameters &b : materials)
-          pairs.push_back(
-            weaker_of(strength_across(a, any), strength_across(b, any)));
-      }
-    if (any_scatter)
+      for (const MaterialParameters &b : materials)
+        pairs.push_back(
+          weaker_of(strength_across(a, any), strength_across(b, any)));
+    if (any_scatters(materials))
       scatter(parameters.seed);
-    find_bounds(communicator);
   }
 
   void
@@ -164,8 +169,8 @@ namespace rift
     return result;
   }
 
-  void
-  FaceStrengths::find_bounds(const Communicator &communicator)
+  StressBounds
+  FaceStrengths::stress_bounds(const Communicator &communicator) const
   {
     constexpr double margin = .9;
 
@@ -177,7 +182,6 @@ namespace rift
     for (const MaterialParameters &material : materials)
       if (material.breakable)
         tan = std::min(tan, std::tan(material.friction_angle));
-    const double cos = 1 / std::sqrt(1 + tan * tan);
 
     const std::size_t   n_materials = materials.size();
     std::vector<double> tensile_strengths(n_materials, largest);
@@ -185,7 +189,7 @@ namespace rift
     for (FaceIndex face = 0; face < topology.faces.size(); ++face)
       if (is_breakable(face))
         {
-          const FaceStrength s = strength(face);
+          const FaceStrength s = weaker_side(face);
           for (const CellIndex cell : topology.faces[face].cells)
             {
               const auto m = topology.material(cell);
@@ -196,15 +200,38 @@ namespace rift
         }
 
     // Of the whole body: which cells are looked at must not depend on the rank.
-    bounds.resize(n_materials);
+    StressBounds bounds{std::vector<std::optional<StressBound>>(n_materials),
+                        cell_factors(communicator)};
     for (std::size_t m = 0; m < n_materials; ++m)
       {
         const double tensile_strength =
           -communicator.max(-tensile_strengths[m]);
         const double cohesion = -communicator.max(-cohesions[m]);
         if (tensile_strength < largest)
-          bounds[m] =
-            StressBound{margin * tensile_strength, margin * cohesion, tan, cos};
+          bounds.materials[m] =
+            StressBound{margin * tensile_strength, margin * cohesion, tan};
       }
+    return bounds;
+  }
+
+  std::vector<Simd>
+  FaceStrengths::cell_factors(const Communicator &communicator) const
+  {
+    // A rank may have no faces, but must answer the others.
+    if (!any_scatters(materials))
+      return {};
+    std::vector<double> smallest(topology.n_cell_slots(),
+                                 std::numeric_limits<double>::infinity());
+    for (FaceIndex face = 0; face < topology.faces.size(); ++face)
+      if (is_breakable(face))
+        for (const CellIndex cell : topology.faces[face].cells)
+          smallest[cell] = std::min(smallest[cell], factors[face]);
+    // Not all faces of a ghost are here.
+    copy_to_ghosts(communicator, topology, smallest);
+
+    std::vector<Simd> result(topology.n_batches());
+    for (CellIndex cell = 0; cell < smallest.size(); ++cell)
+      result[cell / batch_size][cell % batch_size] = smallest[cell];
+    return result;
   }
 } // namespace rift

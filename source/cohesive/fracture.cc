@@ -60,11 +60,7 @@ namespace rift
                                                          parameters.penalty,
                                                          materials,
                                                          stiffnesses));
-    strengths.emplace(body.topology,
-                      body.reference,
-                      materials,
-                      parameters,
-                      body.communicator);
+    strengths.emplace(body.topology, body.reference, materials, parameters);
     force.emplace(body.topology,
                   body.reference,
                   *strengths,
@@ -72,12 +68,14 @@ namespace rift
                   stiffness_of);
     if (is_extrinsic())
       {
+        bounds = strengths->stress_bounds(body.communicator);
+        internal_force.watch(bounds);
         insertion.emplace(body.topology,
                           body.reference,
                           internal_force,
                           *strengths,
+                          bounds,
                           parameters);
-        internal_force.watch(strengths->stress_bounds());
       }
     else
       force->start_all(body.state);

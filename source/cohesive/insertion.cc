@@ -12,12 +12,13 @@ namespace rift
                        const ReferenceCellData  &reference,
                        const InternalForce      &internal_force,
                        const FaceStrengths      &strengths,
+                       const StressBounds       &bounds,
                        const CohesiveParameters &parameters)
     : topology(topology)
     , reference(reference)
     , internal_force(internal_force)
     , strengths(strengths)
-    , bounds(strengths.stress_bounds())
+    , bounds(bounds)
     , least_share(parameters.least_share)
     , stress_position(topology.n_batches(), invalid_index)
   {
@@ -61,13 +62,21 @@ namespace rift
   Insertion::near_strength(const std::uint32_t               batch,
                            const InternalForce::BatchStress &stress) const
   {
-    // Along the normals of the undeformed faces: the difference to the current
-    // ones is within the margin of the bound, as long as strains are small.
-    const StressBound   &bound = *bounds[topology.batch_materials[batch]];
-    const Matrix3<Simd> &g     = reference[batch].gradients;
+    // Along the normals of the undeformed faces: the bound covers the difference
+    // to the current ones, as long as strains are small.
+    const StressBound &bound =
+      *bounds.materials[topology.batch_materials[batch]];
+    const Simd factor =
+      bounds.factors.empty() ? broadcast(1) : bounds.factors[batch];
+    const Simd     tensile_strength = bound.tensile_strength * factor;
+    const Simd     cohesion         = bound.cohesion * factor;
+    const Simd     strain_squared   = contract(stress.strain, stress.strain);
+    const SimdMask is_large =
+      strain_squared > StressBound::small_strain_squared;
+    const Simd friction_under_pressure =
+      bound.friction_under_pressure().at(strain_squared);
+    const Matrix3<Simd> &g = reference[batch].gradients;
     const Simd           zero{};
-    const SimdMask       is_large = contract(stress.strain, stress.strain) >
-                              StressBound::small_strain_squared;
 
     std::array<std::uint8_t, n_corners> result{};
     // By eq. (11b) one cell may be hot, and the other one load the face.
@@ -93,9 +102,10 @@ namespace rift
         // Friction counts in tension, too: only then is the bound convex, so
         // that the mean of two cells within it is within it.
         const Simd shear_limit =
-          bound.cohesion * square - bound.tan_friction_angle * normal;
+          cohesion * square - max(bound.tan_friction_angle * normal,
+                                  friction_under_pressure * normal);
         const SimdMask mask =
-          (normal >= bound.tensile_strength * square) | (shear_limit <= 0.) |
+          (normal >= tensile_strength * square) | (shear_limit <= 0.) |
           (shear_squared >= shear_limit * shear_limit) | is_large;
         for (unsigned int lane = 0; lane < batch_size; ++lane)
           result[f] |= (mask[lane] & 1) << lane;

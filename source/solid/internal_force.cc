@@ -2,6 +2,7 @@
 #include <rift/solid/internal_force.h>
 #include <rift/solid/principal_stresses.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace rift
@@ -14,37 +15,72 @@ namespace rift
      */
     constexpr double safe_strain_squared = .02;
 
-    /** The constants of a StressBound in the form that hot_lanes() needs. */
-    struct HotCheck
+    /**
+     * A StressBound as a bound of the norm of the deviator: all its numbers
+     * divided by their factors of that norm in eq. (10).
+     */
+    class HotCheck
     {
-      explicit HotCheck(const StressBound &bound)
-        : tensile_strength(bound.tensile_strength)
-        , cohesion(bound.cohesion)
-        , friction(bound.tan_friction_angle)
-        , inverse_shear_factor_squared(
-            std::pow(1 / (std::sqrt(.5) / bound.cos_friction_angle +
-                          bound.tan_friction_angle / std::sqrt(24.)),
-                     2))
+    public:
+      /** @param factors of all batches, or null. */
+      HotCheck(const StressBound &bound, const Simd *factors)
+        : factors(factors)
+        , tensile_strength(inverse_tension_factor * bound.tensile_strength)
       {
+        StressBound::ReducedFriction reduced = bound.friction_under_pressure();
+        // Where it is negative, its magnitude counts.
+        const double tan =
+          std::max(bound.tan_friction_angle,
+                   -reduced.at(StressBound::small_strain_squared));
+        const double inverse_factor =
+          1 / (std::sqrt(.5 * (1 + tan * tan)) + tan / std::sqrt(24.));
+        cohesion                = inverse_factor * bound.cohesion;
+        friction                = inverse_factor * bound.tan_friction_angle;
+        friction_under_pressure = {inverse_factor * reduced.initial,
+                                   inverse_factor * reduced.slope};
       }
 
-      /** Where the norm of the deviator exceeds what the mean stress allows. */
+      /** Where the norm of the deviator exceeds what the mean stress allows.
+       *
+       * @param s stress of the batch. */
       SimdMask
-      hot_lanes(const SymmetricTensor<Simd> &s,
+      hot_lanes(const std::size_t            batch,
+                const SymmetricTensor<Simd> &s,
                 const Simd                  &strain_squared) const
       {
-        const Simd zero{};
+        return factors == nullptr ?
+                 hot_lanes(s, strain_squared, tensile_strength, cohesion) :
+                 hot_lanes(s,
+                           strain_squared,
+                           tensile_strength * factors[batch],
+                           cohesion * factors[batch]);
+      }
+
+    private:
+      /** @tparam Strength double or Simd. */
+      template <typename Strength>
+      SimdMask
+      hot_lanes(const SymmetricTensor<Simd> &s,
+                const Simd                  &strain_squared,
+                const Strength              &tensile_strength,
+                const Strength              &cohesion) const
+      {
         const Simd mean     = (s[0] + s[1] + s[2]) * (1. / 3.);
         const Simd deviator = contract(s, s) - 3. * mean * mean;
-        const Simd tension  = max(tensile_strength - mean, zero);
-        const Simd shear    = max(cohesion - friction * mean, zero);
-        const Simd allowed  = min(1.5 * tension * tension,
-                                 inverse_shear_factor_squared * shear * shear);
-        return (deviator >= allowed) |
+        const Simd tension  = tensile_strength - inverse_tension_factor * mean;
+        const Simd shear =
+          cohesion - max(friction * mean,
+                         friction_under_pressure.at(strain_squared) * mean);
+        const Simd allowed = max(min(tension, shear), Simd{});
+        return (deviator >= allowed * allowed) |
                (strain_squared > StressBound::small_strain_squared);
       }
 
-      double tensile_strength, cohesion, friction, inverse_shear_factor_squared;
+      static constexpr double inverse_tension_factor = 1.224744871391589;
+
+      const Simd                  *factors;
+      double                       tensile_strength, cohesion, friction;
+      StressBound::ReducedFriction friction_under_pressure;
     };
 
     /**
@@ -71,9 +107,9 @@ namespace rift
   }
 
   void
-  InternalForce::watch(std::vector<std::optional<StressBound>> new_bounds)
+  InternalForce::watch(const StressBounds &new_bounds)
   {
-    bounds = std::move(new_bounds);
+    bounds = &new_bounds;
   }
 
   std::optional<FailedCell>
@@ -86,7 +122,7 @@ namespace rift
         if (std::holds_alternative<RigidElasticity>(laws[range.material]))
           continue;
         const bool is_watched =
-          !bounds.empty() && bounds[range.material].has_value();
+          bounds != nullptr && bounds->materials[range.material].has_value();
         const auto failed_here = std::visit(
           [&](const auto &law) {
             using Law = std::decay_t<decltype(law)>;
@@ -111,8 +147,10 @@ namespace rift
     // A copy that nobody else can change stays in registers.
     const Law                 law = the_law;
     std::optional<FailedCell> failed;
-    const HotCheck            check(is_watched ? *bounds[range.material] :
-                                      StressBound{0, 0, 0, 1});
+    const HotCheck            check(
+      is_watched ? *bounds->materials[range.material] : StressBound{0, 0, 0},
+      is_watched && !bounds->factors.empty() ? bounds->factors.data() :
+                                               nullptr);
 
     for (std::size_t b = range.begin; b < range.end; ++b)
       {
@@ -132,7 +170,7 @@ namespace rift
         const Simd strain_squared = contract(strain, strain);
         if (is_watched)
           {
-            const SimdMask is_hot = check.hot_lanes(stress, strain_squared);
+            const SimdMask is_hot = check.hot_lanes(b, stress, strain_squared);
             if (any(is_hot))
               for (unsigned int lane = 0; lane < batch_size; ++lane)
                 if (is_hot[lane] && !topology.is_padding(b * batch_size + lane))

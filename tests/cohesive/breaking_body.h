@@ -127,16 +127,14 @@ namespace rift::test
       , state(discrete.state)
       , internal_force(topology, discrete.reference, laws_of(materials))
       , activity(topology)
-      , strengths(topology,
-                  discrete.reference,
-                  materials,
-                  parameters,
-                  communicator)
+      , strengths(topology, discrete.reference, materials, parameters)
+      , bounds(strengths.stress_bounds(communicator))
       , critical(find_critical_time_step(stiffness_factor))
       , insertion(topology,
                   discrete.reference,
                   internal_force,
                   strengths,
+                  bounds,
                   parameters)
       , force(topology,
               discrete.reference,
@@ -148,7 +146,7 @@ namespace rift::test
                                        densities_of(materials),
                                        critical.frequency_squared))
     {
-      internal_force.watch(strengths.stress_bounds());
+      internal_force.watch(bounds);
       activity.wake_all(topology);
     }
 
@@ -262,6 +260,7 @@ namespace rift::test
     InternalForce                   internal_force;
     Activity                        activity;
     FaceStrengths                   strengths;
+    StressBounds                    bounds;
     CriticalTimeStep                critical;
     Insertion                       insertion;
     CohesiveForce                   force;

@@ -148,21 +148,49 @@ TEST(FaceStrengths, BoundsLieBelowAllFaces)
                                     body.reference,
                                     {first, second},
                                     {});
-      const auto          bounds = strengths.stress_bounds();
-      ASSERT_EQ(bounds.size(), 2u);
-      EXPECT_EQ(bounds[1].has_value(), second.breakable);
+      const StressBounds  bounds = strengths.stress_bounds(Communicator());
+      ASSERT_EQ(bounds.materials.size(), 2u);
+      EXPECT_EQ(bounds.materials[1].has_value(), second.breakable);
+      ASSERT_EQ(bounds.factors.size(), body.topology.n_batches());
       for (FaceIndex face = 0; face < body.topology.faces.size(); ++face)
         for (const CellIndex cell : body.topology.faces[face].cells)
           {
             if (!strengths.is_breakable(face))
               continue;
-            const auto &bound = bounds[body.topology.material(cell)];
-            const auto  s     = strengths.strength(face);
+            const auto  &bound = bounds.materials[body.topology.material(cell)];
+            const double factor =
+              bounds.factors[cell / batch_size][cell % batch_size];
+            const auto s = strengths.strength(face);
             ASSERT_TRUE(bound);
-            EXPECT_LT(bound->tensile_strength, s.tensile_strength);
-            EXPECT_LT(bound->cohesion, s.cohesion);
+            EXPECT_LT(factor * bound->tensile_strength, s.tensile_strength);
+            EXPECT_LT(factor * bound->cohesion, s.cohesion);
             EXPECT_LE(bound->tan_friction_angle, s.tan_friction_angle);
           }
+    }
+}
+
+// The bound of a cell is that of its own weakest face, not of the whole body.
+TEST(FaceStrengths, ScatteredBoundsAreThoseOfTheWeakestFaces)
+{
+  const DiscreteBody  body = discretize(make_box({4, 4, 4}), {1.});
+  const FaceStrengths strengths(body.topology,
+                                body.reference,
+                                {scattered_granite(5)},
+                                {});
+  const StressBounds  bounds = strengths.stress_bounds(Communicator());
+  for (CellIndex cell = 0; cell < body.topology.n_cell_slots(); ++cell)
+    {
+      if (body.topology.is_padding(cell))
+        continue;
+      double weakest = 1e30;
+      for (const FaceIndex face : body.topology.cell_faces[cell])
+        if (face != invalid_index)
+          weakest =
+            std::min(weakest, strengths.strength(face).tensile_strength);
+      EXPECT_NEAR(bounds.factors[cell / batch_size][cell % batch_size] *
+                    bounds.materials[0]->tensile_strength,
+                  .9 * weakest,
+                  1e-12 * weakest);
     }
 }
 
@@ -248,8 +276,9 @@ TEST(FaceStrengths, FollowTheNormalsOfFaces)
   const std::vector<MaterialParameters> materials = {directional_granite(),
                                                      other};
   const FaceStrengths strengths(body.topology, body.reference, materials, {});
-  const auto          bounds     = strengths.stress_bounds();
-  unsigned int        n_first[2] = {0, 0};
+  const StressBounds  bounds = strengths.stress_bounds(Communicator());
+  EXPECT_TRUE(bounds.factors.empty());
+  unsigned int n_first[2] = {0, 0};
   for (FaceIndex face = 0; face < body.topology.faces.size(); ++face)
     {
       const Face     &f = body.topology.faces[face];
@@ -272,7 +301,7 @@ TEST(FaceStrengths, FollowTheNormalsOfFaces)
       EXPECT_NEAR(s.tensile_strength / weakest, 1, 1e-13);
       for (const CellIndex cell : f.cells)
         {
-          const auto &bound = bounds[body.topology.material(cell)];
+          const auto &bound = bounds.materials[body.topology.material(cell)];
           EXPECT_LT(bound->tensile_strength, s.tensile_strength);
           EXPECT_LT(bound->cohesion, s.cohesion);
         }

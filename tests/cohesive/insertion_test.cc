@@ -193,6 +193,43 @@ namespace
     expect_found(high * (1 + 1e-9) * normal, high * (1 + 1e-9) * shear, true);
   }
 
+  /** Of a rock that is stiffer or softer along x, Pa. */
+  std::array<double, 21>
+  stiffness_without_poisson_effect(const double along_x)
+  {
+    std::array<double, 21> stiffness{};
+    const double diagonal[6] = {along_x, 40e9, 40e9, 20e9, 20e9, 20e9};
+    for (unsigned int i = 0, k = 0; i < 6; k += 6 - i, ++i)
+      stiffness[k] = diagonal[i];
+    return stiffness;
+  }
+
+  /** Tangent of the friction angle for which a face under pressure is at its
+   * strength, by the definition. */
+  double
+  friction_at_strength(const BreakingBody &body,
+                       const FaceIndex     face,
+                       const double        cohesion)
+  {
+    const Face  &f    = body.topology.faces[face];
+    const Vector area = reference_area_vector(body.discrete.reference,
+                                              f.cells[0],
+                                              f.local_faces[0]);
+    Vector       traction{};
+    for (const CellIndex cell : f.cells)
+      {
+        const auto stress =
+          body.internal_force.stress(body.state, cell / batch_size).first;
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int d = 0; d < dim; ++d)
+            traction[i] +=
+              stress[i][d][cell % batch_size] * area[d] / (2 * norm(area));
+      }
+    const Vector normal = current_normal(body.topology, body.state, f);
+    const double sigma  = dot(traction, normal);
+    return (norm(traction - sigma * normal) - cohesion) / -sigma;
+  }
+
   /** A random stress in each part of the body, strong in places. */
   void
   strain_at_random(BreakingBody &body, std::mt19937 &random)
@@ -362,6 +399,84 @@ TEST(Insertion, SeesTheMeanOfUnlikeSides)
     }
   EXPECT_GT(n_found, 10000u);
   EXPECT_LT(n_found, 90000u);
+}
+
+// Under pressure, faces that are just at their strength and have hardly any
+// cohesion: their shear is a small difference from the friction, and not quite
+// that of the second Piola-Kirchhoff stress.
+TEST(Insertion, FindsFacesUnderStrongPressure)
+{
+  std::mt19937                           random(3);
+  std::uniform_real_distribution<double> value(-1, 1);
+  const auto                             shape    = make_box({2, 1, 1}, edge);
+  constexpr double                       cohesion = 1e5;
+  unsigned int                           n_tested = 0;
+  for (unsigned int sample = 0; sample < 1000; ++sample)
+    {
+      const double stiffness_x = sample % 2 ? 40e9 : 60e9;
+      auto         rock        = granite();
+      rock.cohesion            = cohesion;
+      rock.tensile_strength    = cohesion;
+      rock.elasticity          = MaterialParameters::Elasticity::anisotropic;
+      rock.stiffness           = stiffness_without_poisson_effect(stiffness_x);
+      BreakingBody body(shape, {rock});
+
+      const double pressure  = 4e8 * (1 + value(random));
+      const double deviation = .2 * std::pow(value(random), 2);
+      Matrix       gradient{};
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j <= i; ++j)
+          gradient[i][j] = gradient[j][i] =
+            -pressure * ((i == j) + deviation * value(random)) /
+            (i == 0 ? stiffness_x : 40e9);
+      strain(body, gradient);
+      const FaceIndex face = sample / 2 % body.topology.faces.size();
+      const double    tan  = friction_at_strength(body, face, cohesion);
+      if (tan < 0 || tan > std::tan(70 * M_PI / 180))
+        continue;
+
+      rock.friction_angle = std::atan(tan * (1 - 1e-9));
+      BreakingBody with_friction(shape, {rock});
+      strain(with_friction, gradient);
+      const auto found = find_faces(with_friction);
+      EXPECT_TRUE(std::binary_search(found.begin(), found.end(), face))
+        << "sample " << sample << ", tangent " << tan;
+      ++n_tested;
+    }
+  EXPECT_GT(n_tested, 600u);
+}
+
+// Under half of its mean strength, a body whose strengths scatter: only cells
+// with a weak face are examined.
+TEST(Insertion, OnlyCellsWithWeakFacesAreHot)
+{
+  auto rock            = granite();
+  rock.weibull_modulus = 5;
+  BreakingBody body(make_box({8, 8, 8}, edge, .2), {rock});
+  const double stress = .5 * granite_strength().tensile_strength;
+  Matrix       gradient{};
+  gradient[0][0] = stress / 40.6e9;
+  gradient[1][1] = gradient[2][2] = -.2 * gradient[0][0];
+  strain(body, gradient);
+  EXPECT_EQ(find_faces(body), brute_force(body));
+
+  // In uniaxial tension the first bound of (10) is exact.
+  std::vector<CellIndex> expected;
+  for (CellIndex cell = 0; cell < body.topology.n_cell_slots(); ++cell)
+    {
+      double weakest = 1e30;
+      for (const FaceIndex face : body.topology.cell_faces[cell])
+        if (!body.topology.is_padding(cell) && face != invalid_index)
+          weakest =
+            std::min(weakest, body.strengths.strength(face).tensile_strength);
+      // No cell is within the error of the small strain.
+      EXPECT_GT(std::abs(stress / (.9 * weakest) - 1), 1e-6);
+      if (stress > .9 * weakest)
+        expected.push_back(cell);
+    }
+  EXPECT_EQ(body.internal_force.hot_cells(), expected);
+  EXPECT_GT(expected.size(), 100u);
+  EXPECT_LT(expected.size(), body.topology.n_cells() / 4);
 }
 
 TEST(Insertion, UnbreakableMaterialIsNeverCut)

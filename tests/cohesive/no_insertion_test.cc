@@ -26,8 +26,9 @@ namespace
     for (NodalVector &u : body.state.displacement)
       for (unsigned int d = 0; d < dim; ++d)
         u[d] = value(random);
+    const StressBounds none{{std::nullopt}, {}};
     if (!may_break)
-      body.internal_force.watch({});
+      body.internal_force.watch(none);
 
     End end;
     for (unsigned int i = 0; i < 500; ++i)

@@ -6,10 +6,9 @@
 #include <rift/discretization/reference_cell_data.h>
 #include <rift/material/face_strength.h>
 #include <rift/material/material_parameters.h>
+#include <rift/material/stress_bound.h>
 #include <rift/mesh/topology.h>
-#include <rift/solid/internal_force.h>
 
-#include <optional>
 #include <vector>
 
 namespace rift
@@ -45,12 +44,10 @@ namespace rift
   class FaceStrengths
   {
   public:
-    /** Collective. */
     FaceStrengths(const Topology                        &topology,
                   const ReferenceCellData               &reference,
                   const std::vector<MaterialParameters> &materials,
-                  const CohesiveParameters              &parameters,
-                  const Communicator &communicator = Communicator());
+                  const CohesiveParameters              &parameters);
 
     /** Whether a cohesive element may be inserted at an interior face. */
     bool
@@ -68,14 +65,11 @@ namespace rift
     strength_of_all_planes(FaceIndex face) const;
 
     /**
-     * Per material the stress below which none of its faces can break, on any
-     * rank, with some margin; nothing for materials that do not break.
+     * For each cell the stress below which none of its faces can break, with
+     * some margin; the same on all ranks that see the cell. Collective.
      */
-    const std::vector<std::optional<StressBound>> &
-    stress_bounds() const
-    {
-      return bounds;
-    }
+    StressBounds
+    stress_bounds(const Communicator &communicator) const;
 
   private:
     /** Without scatter. */
@@ -85,8 +79,10 @@ namespace rift
     void
     scatter(unsigned int seed);
 
-    void
-    find_bounds(const Communicator &communicator);
+    /** The smallest factor of the breakable faces of each cell, by batches;
+     * empty without scatter. Collective. */
+    std::vector<Simd>
+    cell_factors(const Communicator &communicator) const;
 
     double
     random_factor(FaceIndex face, double weibull_modulus, unsigned int seed);
@@ -101,8 +97,6 @@ namespace rift
 
     /** For each face; empty where nothing scatters. */
     std::vector<double> factors;
-
-    std::vector<std::optional<StressBound>> bounds;
   };
 } // namespace rift
 

@@ -113,6 +113,7 @@ namespace rift
     std::optional<CohesiveForce> force;
 
     /** In the extrinsic model. */
+    StressBounds             bounds;
     std::optional<Insertion> insertion;
   };
 } // namespace rift

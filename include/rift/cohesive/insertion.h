@@ -28,11 +28,16 @@ namespace rift
   class Insertion
   {
   public:
-    /** All arguments but the parameters must outlive this object. */
+    /**
+     * All arguments but the parameters must outlive this object.
+     *
+     * @param bounds those that `internal_force` watches.
+     */
     Insertion(const Topology           &topology,
               const ReferenceCellData  &reference,
               const InternalForce      &internal_force,
               const FaceStrengths      &strengths,
+              const StressBounds       &bounds,
               const CohesiveParameters &parameters);
 
     /**
@@ -46,7 +51,7 @@ namespace rift
   private:
     /**
      * Faces of a batch on which the stress of the cell itself comes near the
-     * smallest strength of its material, one bit for each lane: at a face that
+     * smallest strength of its faces, one bit for each lane: at a face that
      * is at its strength that is so on one of its sides at least. All faces
      * where less than that breaks them.
      */
@@ -64,12 +69,12 @@ namespace rift
     bool
     breaks(const State &state, FaceIndex face);
 
-    const Topology                               &topology;
-    const ReferenceCellData                      &reference;
-    const InternalForce                          &internal_force;
-    const FaceStrengths                          &strengths;
-    const std::vector<std::optional<StressBound>> bounds;
-    const double                                  least_share;
+    const Topology          &topology;
+    const ReferenceCellData &reference;
+    const InternalForce     &internal_force;
+    const FaceStrengths     &strengths;
+    const StressBounds      &bounds;
+    const double             least_share;
 
     /** Where the stress of a batch stands in `stresses`. */
     std::vector<std::uint32_t>              stress_position;

@@ -196,6 +196,17 @@ namespace rift
     bool                 has_velocities = false;
     std::vector<Partner> receivers, senders;
   };
+
+  /**
+   * Gives ghosts the numbers of their cells on the ranks that own them.
+   * Collective.
+   *
+   * @param values one for each cell slot.
+   */
+  void
+  copy_to_ghosts(const Communicator  &communicator,
+                 const Topology      &topology,
+                 std::vector<double> &values);
 } // namespace rift
 
 #endif

@@ -7,35 +7,13 @@
 #include <rift/discretization/reference_cell_data.h>
 #include <rift/discretization/state.h>
 #include <rift/material/elasticity.h>
+#include <rift/material/stress_bound.h>
 
 #include <optional>
 #include <vector>
 
 namespace rift
 {
-  /**
-   * A bound below which no face of a cell can be at its strength. From the
-   * mean stress m and the norm |s| of the deviator (doc/theory.md, eq. 10):
-   * no plane has a normal stress above m + sqrt(2/3) |s|, nor a shear stress
-   * less friction above |s|/sqrt(2)/cos(phi) + tan(phi) (m + |s|/sqrt(24)).
-   */
-  struct StressBound
-  {
-    /**
-     * Up to this squared norm of the strain, stresses in the reference and in
-     * the current frame differ by less than the margin.
-     */
-    static constexpr double small_strain_squared = 1e-3;
-
-    /** Smallest strengths of the faces, times a margin, Pa. */
-    double tensile_strength;
-    double cohesion;
-
-    /** tan and cos of the smallest friction angle: the least friction allows
-     * the most shear in compression. */
-    double tan_friction_angle, cos_friction_angle;
-  };
-
   /** A cell that has left the range in which its law makes sense. */
   struct FailedCell
   {
@@ -62,9 +40,13 @@ namespace rift
                   const ReferenceCellData &reference,
                   std::vector<Elasticity>  laws);
 
-    /** Asks for the cells that come near their strength; see hot_cells(). */
+    /**
+     * Asks for the cells that come near their strength; see hot_cells().
+     *
+     * @param bounds must outlive this object.
+     */
     void
-    watch(std::vector<std::optional<StressBound>> bounds);
+    watch(const StressBounds &bounds);
 
     /**
      * Adds the forces of all cells that are awake to `state.force`.
@@ -77,7 +59,7 @@ namespace rift
 
     /**
      * Cells in which the last call of add_to() found a stress above the bound
-     * that watch() gave for their material, in ascending order.
+     * that watch() gave for them, in ascending order.
      */
     const std::vector<CellIndex> &
     hot_cells() const
@@ -129,11 +111,11 @@ namespace rift
               State               &state,
               Activity            &activity);
 
-    const Topology                         &topology;
-    const ReferenceCellData                &reference;
-    std::vector<Elasticity>                 laws;
-    std::vector<std::optional<StressBound>> bounds;
-    std::vector<CellIndex>                  hot;
+    const Topology          &topology;
+    const ReferenceCellData &reference;
+    std::vector<Elasticity>  laws;
+    const StressBounds      *bounds = nullptr;
+    std::vector<CellIndex>   hot;
   };
 } // namespace rift
 
