@@ -117,6 +117,8 @@ namespace
   Solution
   fracture(DiscreteBody &body, const FieldSelection &wanted = {})
   {
+    for (FaceState &state : body.topology.face_states)
+      state = std::min(state, FaceState::cut);
     const FaceStrengths strengths(body.topology,
                                   body.reference,
                                   two_granites(),

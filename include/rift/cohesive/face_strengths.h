@@ -44,6 +44,8 @@ namespace rift
   class FaceStrengths
   {
   public:
+    /** The topology and the reference data must outlive this object.
+     * @param materials by material index. */
     FaceStrengths(const Topology                        &topology,
                   const ReferenceCellData               &reference,
                   const std::vector<MaterialParameters> &materials,

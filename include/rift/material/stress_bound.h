@@ -31,6 +31,7 @@ namespace rift
      * strain. */
     struct ReducedFriction
     {
+      /** Without strain, and what it loses per squared norm of the strain. */
       double initial, slope;
 
       /** @tparam Number double or Simd. */
