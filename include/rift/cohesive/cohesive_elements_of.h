@@ -213,5 +213,6 @@ namespace rift
 } // namespace rift
 
 #include <rift/cohesive/cohesive_elements_of.templates.h>
+#include <rift/cohesive/cohesive_records_of.templates.h>
 
 #endif
