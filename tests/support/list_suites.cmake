@@ -1,8 +1,8 @@
 # Writes a file for ctest with a test for each suite of a googletest program, or
 # one for each suite and number of ranks.
 #
-#   cmake -D PROGRAM=... -D PREFIX=... -D RANKS=... -D MPIEXEC=... -D LIST=...
-#     -P list_suites.cmake
+#   cmake -D PROGRAM=... -D PREFIX=... -D RANKS=... -D MPIEXEC=...
+#     -D ENVIRONMENT=... -D LIST=... -P list_suites.cmake
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE output
   COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "(^|\n)[A-Za-z0-9_/]+\\." suites "${output}")
@@ -14,7 +14,7 @@ function(add name n_processors)
   endforeach()
   string(APPEND text ")\nset_tests_properties([=[${name}]=] PROPERTIES TIMEOUT 120"
     " LABELS checked PROCESSORS ${n_processors} ENVIRONMENT"
-    " [=[OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1]=])\n")
+    " [=[${ENVIRONMENT}]=])\n")
   set(text "${text}" PARENT_SCOPE)
 endfunction()
 foreach(suite ${suites})
