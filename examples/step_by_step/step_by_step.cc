@@ -9,6 +9,11 @@
 int
 main(int argc, char **argv)
 {
+  if (argc != 2)
+    {
+      std::cerr << "usage: step_by_step SCENE.prm\n";
+      return 1;
+    }
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   rift::Log                                      log(&std::cout);
   rift::Simulation simulation(rift::read_parameters(argv[1]), log);

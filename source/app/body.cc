@@ -231,6 +231,23 @@ namespace rift
       return surfaces;
     }
 
+    /** "0.1 x 0.02 x 0.02 m" */
+    std::string
+    extent_text(const MeshData &mesh)
+    {
+      std::string text;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const auto [least, largest] = std::minmax_element(
+            mesh.vertices.begin(),
+            mesh.vertices.end(),
+            [d](const auto &a, const auto &b) { return a[d] < b[d]; });
+          text +=
+            (d > 0 ? " x " : "") + short_text((*largest)[d] - (*least)[d]);
+        }
+      return text + " m";
+    }
+
     /** Says what the mesh is. Collective. */
     void
     describe(const Body     &body,
@@ -253,7 +270,7 @@ namespace rift
                   "connected there: " +
                   std::to_string(n_nodes - mesh.vertices.size()) +
                   " nodes have been doubled");
-      log.write("Mesh " + mesh.source + ": " +
+      log.write("Mesh " + mesh.source + ": " + extent_text(mesh) + ", " +
                 std::to_string(mesh.cells.size()) + " cells, " +
                 std::to_string(n_nodes) +
                 " nodes; materials: " + list(mesh.material_names) +

@@ -3,6 +3,7 @@
 #include <rift/base/number_text.h>
 #include <rift/base/vector_text.h>
 #include <rift/contact/interpenetration.h>
+#include <rift/discretization/fragment_labels.h>
 #include <rift/material/wave_speeds.h>
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace rift
   namespace
   {
     double
-    speed_limit_of(const Body &body)
+    largest_speed_of(const Body &body)
     {
       double fastest_wave = 0, fastest_start = 0;
       for (std::size_t m = 0; m < body.materials.size(); ++m)
@@ -42,99 +43,100 @@ namespace rift
     }
   } // namespace
 
-  FragmentWatch::FragmentWatch(const Body &body, const bool has_contact)
+  FragmentWatch::FragmentWatch(const Body &body,
+                               const bool  has_contact,
+                               const bool  loads_follow)
     : body(body)
     , has_contact(has_contact)
-    , speed_limit(speed_limit_of(body))
+    , loads_follow(loads_follow)
+    , largest_speed(largest_speed_of(body))
   {
   }
 
-  std::vector<std::string>
+  std::vector<Warning>
   FragmentWatch::warnings_at_start() const
   {
     if (has_contact)
       return {};
-    const Discretization &d = body.discretization;
-    const auto            n_bodies =
-      find_fragments(d.topology,
-                     d.reference,
-                     d.densities,
-                     d.state,
-                     std::vector<Vector3<double>>(d.state.n_nodes()),
-                     d.communicator)
-        .list.size();
+    const Topology      &topology     = body.discretization.topology;
+    const Communicator  &communicator = body.communicator;
+    const FragmentLabels labels       = label_bodies(topology, communicator);
+    std::int64_t         n_bodies     = 0;
+    for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
+      if (topology.owns_cell(cell) &&
+          topology.cell_global_indices[cell] == labels.of_cell[cell])
+        ++n_bodies;
+    n_bodies = communicator.sum(n_bodies);
     if (n_bodies == 1)
       return {};
-    return {"the mesh has " + std::to_string(n_bodies) +
-            " separate bodies, and nothing keeps them apart. Set \"Contact = "
-            "true\" in subsection Contact if they are to touch."};
+    return {{"the mesh has " + std::to_string(n_bodies) + " separate bodies",
+             ", and nothing keeps them apart. Set \"Contact = true\" in "
+             "subsection Contact if they are to touch."}};
   }
 
-  std::vector<std::string>
-  FragmentWatch::look(const Fragments &fragments)
+  std::vector<Warning>
+  FragmentWatch::look(const Fragments &fragments) const
   {
-    std::vector<std::string> result;
-    const auto add = [&result](const std::string &warning, bool &has_warned) {
-      if (warning.empty())
-        return;
-      result.push_back(warning);
-      has_warned = true;
-    };
-    if (!has_warned_of_speed)
-      add(warning_of_speed(fragments), has_warned_of_speed);
-    if (!has_warned_of_interpenetration && !has_contact)
-      add(warning_of_interpenetration(), has_warned_of_interpenetration);
+    std::vector<Warning> result = warnings_of_speed(fragments);
+    if (!has_contact)
+      for (Warning &warning : warnings_of_overlap())
+        result.push_back(std::move(warning));
     return result;
   }
 
-  std::string
-  FragmentWatch::warning_of_speed(const Fragments &fragments) const
+  std::vector<Warning>
+  FragmentWatch::warnings_of_speed(const Fragments &fragments) const
   {
-    // Whole bodies may have been given any speed.
+    // Bodies that are whole may have been given any speed.
     const auto                &list = fragments.list;
     std::vector<std::uint32_t> n_pieces(list.size(), 0);
     for (const Fragment &fragment : list)
       ++n_pieces[fragment.main_piece];
 
-    std::size_t n_fragments = 0, n_fast = 0;
-    double      mass = 0, fast_mass = 0, largest = 0;
-    std::size_t fastest = 0;
-    for (std::size_t i = 0; i < list.size(); ++i)
+    const Fragment *fastest     = nullptr;
+    std::size_t     n_fragments = 0, n_fast = 0;
+    double          mass = 0, fast_mass = 0;
+    for (const Fragment &fragment : list)
       {
-        mass += list[i].mass;
-        if (n_pieces[list[i].main_piece] == 1)
+        mass += fragment.mass;
+        if (n_pieces[fragment.main_piece] == 1)
           continue;
         ++n_fragments;
-        const double speed = norm(list[i].velocity);
-        if (speed > largest)
-          {
-            largest = speed;
-            fastest = i;
-          }
-        if (speed > speed_limit)
-          {
-            ++n_fast;
-            fast_mass += list[i].mass;
-          }
+        const double speed = norm(fragment.velocity);
+        if (!(speed > largest_speed))
+          continue;
+        ++n_fast;
+        fast_mass += fragment.mass;
+        if (fastest == nullptr || speed > norm(fastest->velocity))
+          fastest = &fragment;
       }
-    if (n_fast == 0)
+    if (fastest == nullptr)
       return {};
-    return "the fastest fragment moves with " + short_text(largest) +
-           " m/s at " + place_text(list[fastest].centre) + "; " +
-           std::to_string(n_fast) + " of " + std::to_string(n_fragments) +
-           " fragments, " + percent_text(fast_mass / mass) +
-           " of the mass, are faster than " + short_text(speed_limit) +
-           " m/s, a tenth of the speed of P-waves plus twice the largest "
-           "speed at the start. Look for a load that goes on acting on what "
-           "has come off (\"Acts "
-           "while attached\" of Boundary), and for pieces that pass through "
-           "each other (subsection Contact).";
+    return {
+      {"the fastest fragment",
+       " moves with " + short_text(norm(fastest->velocity)) + " m/s at " +
+         place_text(fastest->centre) + "; " + std::to_string(n_fast) + " of " +
+         std::to_string(n_fragments) + " fragments, " +
+         percent_text(fast_mass / mass) + " of the mass, are faster than " +
+         short_text(largest_speed) +
+         " m/s, a tenth of the speed of P-waves plus twice the largest initial "
+         "speed" +
+         (loads_follow ? "" :
+                         ". Look for a load that acts on what has come off "
+                         "(\"Acts while in place\" of Boundary)") +
+         (has_contact ? "." :
+                        ". Look for pieces that pass through each other "
+                        "(subsection Contact).")}};
   }
 
-  std::string
-  FragmentWatch::warning_of_interpenetration() const
+  std::vector<Warning>
+  FragmentWatch::warnings_of_overlap() const
   {
-    const Discretization &d = body.discretization;
+    const std::string     advice  = ". Set \"Contact = true\" in subsection "
+                                    "Contact.";
+    const std::string     subject = "pieces overlap, since nothing keeps them "
+                                    "apart";
+    const Discretization &d       = body.discretization;
     Interpenetration      found;
     try
       {
@@ -144,17 +146,16 @@ namespace rift
       {
         if (error.exit_code != ExitCode::run_error)
           throw;
-        return "pieces lie in each other in heaps, since nothing keeps them "
-               "apart. Set \"Contact = true\" in subsection Contact.";
+        return {{subject, ": so many that they cannot be counted" + advice}};
       }
     if (found.n_pairs == 0)
       return {};
-    return "pieces pass through each other, since nothing keeps them apart: " +
-           std::to_string(found.n_pairs) +
-           (found.n_pairs == 1 ? " pair" : " pairs") +
-           " of cells have more than 10 % of the smaller one's volume in "
-           "common, up to " +
-           percent_text(found.largest_part) + " at " + place_text(found.place) +
-           ". Set \"Contact = true\" in subsection Contact.";
+    return {{subject,
+             ": " + std::to_string(found.n_pairs) +
+               (found.n_pairs == 1 ? " pair" : " pairs") +
+               " of cells have more than 10 % of the smaller one's volume in "
+               "common, up to " +
+               percent_text(found.largest_part) + " at " +
+               place_text(found.place) + advice}};
   }
 } // namespace rift

@@ -34,7 +34,7 @@ namespace rift
           add(boundary.inert_entries());
           if (parameters.cohesive.model == CohesiveParameters::Model::none)
             result.push_back({"Boundary " + boundary.name,
-                              {"Acts while attached"},
+                              {"Acts while in place"},
                               {{"Fracture", "Cohesive model"}},
                               "where nothing breaks"});
         }

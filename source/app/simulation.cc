@@ -4,6 +4,7 @@
 #include <rift/base/floating_point.h>
 #include <rift/base/number_text.h>
 #include <rift/base/parameter_text.h>
+#include <rift/loading/surface_load.h>
 #include <rift/mesh/partition.h>
 #include <rift/time_integration/central_difference.h>
 
@@ -53,7 +54,14 @@ namespace rift
                      communicator,
                      log))
     , modules(make_modules(parameters, body, mesh))
-    , fragment_watch(body, modules.contact != nullptr)
+    , fragment_watch(body,
+                     modules.contact != nullptr,
+                     std::all_of(parameters.boundaries.begin(),
+                                 parameters.boundaries.end(),
+                                 [](const BoundaryParameters &boundary) {
+                                   return boundary.acts_while_in_place ||
+                                          !SurfaceLoad::is_needed(boundary);
+                                 }))
     , results(parameters, body)
   {
     choose_time_step(restart);
@@ -128,8 +136,8 @@ namespace rift
                                                          steps.time_step,
                                                          steps.last_step))
         log.warn(warning);
-    for (const std::string &warning : fragment_watch.warnings_at_start())
-      log.warn(warning);
+    for (const Warning &warning : fragment_watch.warnings_at_start())
+      log.warn_once(warning);
   }
 
   void
@@ -252,12 +260,9 @@ namespace rift
       module->start_openings(step);
     timer.stop(Stage::cohesive_forces);
 
-    // 10. Loads and warnings follow the pieces, when due
-    if (are_fragments_due())
-      {
-        follow_fragments();
-        timer.stop(Stage::output);
-      }
+    // 10. Loads and warnings follow the pieces of the body
+    follow_fragments();
+    timer.stop(Stage::output);
   }
 
   TopologyChange

@@ -23,8 +23,8 @@ namespace rift
 
     /** Number of steps between two looks at the pieces: where loads depend on
      * them, and for warnings alone. */
-    constexpr std::uint64_t short_fragment_interval = 100;
-    constexpr std::uint64_t fragment_interval       = 500;
+    constexpr std::uint64_t fragment_interval_of_loads = 20;
+    constexpr std::uint64_t fragment_interval          = 500;
 
     /** Ranks ask each other about so often whether all goes well... */
     constexpr double seconds_between_synchronizations = .5;
@@ -114,37 +114,35 @@ namespace rift
   void
   Simulation::finish()
   {
-    follow_fragments();
+    follow_fragments(true);
     warn_of_results(count_faces());
     results.finish(snapshot(), summarize());
     log_end(count_faces());
     body.communicator.on_root([this] { log.check(); });
   }
 
-  bool
-  Simulation::are_fragments_due() const
+  void
+  Simulation::follow_fragments(const bool is_end)
   {
-    const bool are_needed =
+    const bool is_needed =
       std::any_of(modules.begin(), modules.end(), [](const auto &module) {
         return module->needs_fragments();
       });
-    return state().step %
-             (are_needed ? short_fragment_interval : fragment_interval) ==
-           0;
-  }
-
-  void
-  Simulation::follow_fragments()
-  {
-    const Discretization &d      = body.discretization;
-    const auto           &states = d.topology.face_states;
-    if (!d.communicator.any(
-          std::any_of(states.begin(), states.end(), [](const FaceState state) {
-            return state >= FaceState::failed;
+    const std::uint64_t step      = state().step;
+    const bool          is_warned = is_end || step % fragment_interval == 0;
+    if (!is_warned && !(is_needed && step % fragment_interval_of_loads == 0))
+      return;
+    const auto &states = topology().face_states;
+    if (!body.communicator.any(
+          std::any_of(states.begin(), states.end(), [](const FaceState face) {
+            return face >= FaceState::failed;
           })))
       return;
+
+    const Discretization        &d = body.discretization;
     std::vector<Vector3<double>> velocities;
     velocities.reserve(d.state.n_nodes());
+    // Half a step old, which is good enough for warnings.
     for (const NodalVector &velocity : d.state.velocity)
       velocities.push_back(velocity.vector());
     const Fragments fragments = find_fragments(d.topology,
@@ -154,13 +152,12 @@ namespace rift
                                                velocities,
                                                d.communicator);
     for (const auto &module : modules)
-      for (const std::string &warning :
+      for (const Warning &warning :
            module->follow_fragments(fragments, d.communicator))
-        log.warn(warning);
-    if (d.state.step % fragment_interval == 0 ||
-        d.state.step == steps.last_step)
-      for (const std::string &warning : fragment_watch.look(fragments))
-        log.warn(warning);
+        log.warn_once(warning);
+    if (is_warned)
+      for (const Warning &warning : fragment_watch.look(fragments))
+        log.warn_once(warning);
   }
 
   void
@@ -185,10 +182,12 @@ namespace rift
     constexpr double largest_unpaid_part = .05;
     if (cohesive < 0 && -cohesive > largest_unpaid_part *
                                       (ledger.energies().total() - cohesive))
-      log.warn("the balance has a cohesive energy of " + short_text(cohesive) +
-               " J: so much has come from faces that broke under pressure and "
-               "were unloaded before they had drawn it from the body. Take a "
-               "larger stiffness factor, of Fracture and of Contact.");
+      log.warn("faces that broke while they were compressed have given " +
+               short_text(-cohesive) +
+               " J to the body, and nothing has given it to them; in the "
+               "balance this is a negative cohesive energy. Set a larger "
+               "\"Stiffness factor\" in subsection Fracture" +
+               (modules.contact != nullptr ? " and in Contact." : "."));
     if (faces.too_short > 0)
       log.warn(std::to_string(faces.too_short) + " of " +
                std::to_string(faces.opened) +
@@ -214,8 +213,6 @@ namespace rift
     if (!results.is_open())
       return;
     enter_energies();
-    Summary summary    = summarize();
-    summary.stopped_by = message;
     const auto attempt = [&](const std::function<void()> &f) {
       try
         {
@@ -228,8 +225,11 @@ namespace rift
                    error.what());
         }
     };
+    attempt([&] { follow_fragments(true); });
     attempt([&] { results.write_history(snapshot()); });
     attempt([&] { results.write_solution(snapshot()); });
+    Summary summary    = summarize();
+    summary.stopped_by = message;
     attempt([&] { results.finish(snapshot(), summary); });
   }
 

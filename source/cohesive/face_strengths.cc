@@ -1,5 +1,5 @@
 #include <rift/cohesive/face_strengths.h>
-#include <rift/discretization/ghost_exchange.h>
+#include <rift/discretization/ghost_values.h>
 #include <rift/material/elasticity.h>
 
 #include <algorithm>

@@ -8,7 +8,7 @@ namespace rift
   LocalDamping::LocalDamping(const Topology                        &topology,
                              const std::vector<MaterialParameters> &materials,
                              const double                           coefficient)
-    : WorkingModule(topology, "local damping", "local damping")
+    : ModuleWithWork(topology, "local damping", "local damping")
     , coefficient(coefficient)
     , is_rigid(topology.n_nodes(), false)
   {

@@ -2,6 +2,7 @@
 #include <rift/base/check.h>
 #include <rift/base/disjoint_sets.h>
 #include <rift/discretization/fragment_labels.h>
+#include <rift/discretization/ghost_values.h>
 
 #include <algorithm>
 #include <functional>
@@ -114,31 +115,6 @@ namespace rift
       return result;
     }
 
-    /** Asks the owners of ghost cells for their labels. */
-    void
-    label_ghosts(const Topology               &topology,
-                 const Communicator           &communicator,
-                 std::vector<GlobalCellIndex> &labels)
-    {
-      std::map<int, std::vector<GlobalCellIndex>> asked;
-      for (CellIndex cell = 0; cell < labels.size(); ++cell)
-        if (!topology.is_padding(cell) && !topology.owns_cell(cell))
-          asked[topology.cell_owners[cell]].push_back(
-            topology.cell_global_indices[cell]);
-      auto answers = communicator.exchange(asked);
-      for (auto &[rank, cells] : answers)
-        for (GlobalCellIndex &cell : cells)
-          {
-            const CellIndex own = topology.find_cell(cell);
-            rift_check(own != invalid_index && topology.owns_cell(own));
-            cell = labels[own];
-          }
-      answers = communicator.exchange(answers);
-      for (const auto &[rank, cells] : asked)
-        for (std::size_t i = 0; i < cells.size(); ++i)
-          labels[topology.find_cell(cells[i])] = answers.at(rank).at(i);
-    }
-
     FragmentLabels
     label_pieces(const Topology     &topology,
                  const Communicator &communicator,
@@ -169,7 +145,7 @@ namespace rift
         result.of_cell[cell] = topology.owns_cell(cell) ?
                                  final_label(result.of_cell[cell]) :
                                  invalid_index;
-      label_ghosts(topology, communicator, result.of_cell);
+      copy_to_ghosts(communicator, topology, result.of_cell);
       for (const auto &[own, other] : pairs)
         result.divided.push_back(final_label(own));
       std::sort(result.divided.begin(), result.divided.end());

@@ -216,7 +216,8 @@ namespace rift
       add(displacement,
           [&](const NodeIndex n) { return state.displacement[n].vector(); });
       add(momentum, [&](const NodeIndex n) { return velocity[n]; });
-      // Of one cell of the piece alone.
+      // Only the first cell of a piece, whose index is its label, adds this:
+      // the sum is the label of the body.
       if (topology.cell_global_indices[cell] == labels.of_cell[cell])
         terms[body_label] = bodies.of_cell[cell];
       return terms;

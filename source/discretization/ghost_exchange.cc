@@ -388,29 +388,4 @@ namespace rift
       sum += sizeof(Header) + receiver.nodes.size() * bytes_per_node();
     return sum;
   }
-
-  void
-  copy_to_ghosts(const Communicator  &communicator,
-                 const Topology      &topology,
-                 std::vector<double> &values)
-  {
-    if (communicator.size() == 1)
-      return;
-    std::map<int, std::vector<GlobalCellIndex>> questions;
-    std::map<int, std::vector<CellIndex>>       ghosts;
-    for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
-      if (!topology.is_padding(cell) && !topology.owns_cell(cell))
-        {
-          const int owner = topology.cell_owners[cell];
-          questions[owner].push_back(topology.cell_global_indices[cell]);
-          ghosts[owner].push_back(cell);
-        }
-    std::map<int, std::vector<double>> answers;
-    for (const auto &[rank, cells] : communicator.exchange(questions))
-      for (const GlobalCellIndex cell : cells)
-        answers[rank].push_back(values[topology.find_cell(cell)]);
-    for (const auto &[rank, numbers] : communicator.exchange(answers))
-      for (std::size_t i = 0; i < numbers.size(); ++i)
-        values[ghosts[rank][i]] = numbers[i];
-  }
 } // namespace rift

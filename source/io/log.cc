@@ -82,6 +82,18 @@ namespace rift
   }
 
   void
+  Log::warn_once(const Warning &warning)
+  {
+    const std::string &subject = warning.subject;
+    if (std::none_of(all_warnings.begin(),
+                     all_warnings.end(),
+                     [&](const std::string &text) {
+                       return text.compare(0, subject.size(), subject) == 0;
+                     }))
+      warn(subject + warning.statement);
+  }
+
+  void
   Log::remember_warning(const std::string &text)
   {
     if (std::find(all_warnings.begin(), all_warnings.end(), text) ==

@@ -40,13 +40,14 @@ namespace rift
                         function,
                         "Function of time: prescribed velocity along " + axis +
                           "; 0 holds the surface. Units: m/s.");
-    prm.declare_entry("Acts while attached",
+    prm.declare_entry("Acts while in place",
                       "false",
                       dealii::Patterns::Bool(),
                       "Whether pressure and traction end on a face when its "
-                      "cell has come off: when no unbroken faces connect it "
-                      "any more with the largest piece of its body, as found "
-                      "every 100 steps.");
+                      "piece of the body has come off and left its place: when "
+                      "it has moved, compared with the largest piece, by more "
+                      "than the edge of a cube of its volume. Found every 20 "
+                      "steps.");
     prm.declare_entry("Absorbing",
                       "false",
                       dealii::Patterns::Bool(),
@@ -73,7 +74,7 @@ namespace rift
         result.velocity[d] =
           get_function(prm, section, "Velocity " + axes[d], scene);
       }
-    result.acts_while_attached = prm.get_bool("Acts while attached");
+    result.acts_while_in_place = prm.get_bool("Acts while in place");
     result.absorbs             = prm.get_bool("Absorbing");
     prm.leave_subsection();
     return result;
@@ -123,7 +124,7 @@ namespace rift
   {
     const std::string section = section_of(name);
     InertEntries      result{section,
-                        {"Acts while attached"},
+                        {"Acts while in place"},
                         {{section, "Pressure"}},
                         "without a pressure or a traction"};
     bool              is_loaded = !pressure.empty();

@@ -4,7 +4,7 @@ namespace rift
 {
   PrescribedMotion::PrescribedMotion(const Topology       &topology,
                                      std::vector<Boundary> the_boundaries)
-    : WorkingModule(topology, "prescribed motion", "loads")
+    : ModuleWithWork(topology, "prescribed motion", "loads")
     , topology(topology)
     , boundaries(std::move(the_boundaries))
   {

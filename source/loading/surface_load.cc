@@ -30,11 +30,11 @@ namespace rift
   SurfaceLoad::SurfaceLoad(const Topology           &topology,
                            Surface                   surface,
                            const BoundaryParameters &parameters)
-    : WorkingModule(topology, "load on " + parameters.name, "loads")
+    : ModuleWithWork(topology, "load on " + parameters.name, "loads")
     , topology(topology)
     , boundary(parameters.name)
     , surface(std::move(surface))
-    , acts_while_attached(parameters.acts_while_attached)
+    , acts_while_in_place(parameters.acts_while_in_place)
     , pressure(
         make_function(parameters.pressure, parameters.name, "Pressure", "Pa"))
     , bears_load(this->surface.size(), 1)
@@ -105,37 +105,32 @@ namespace rift
     return result;
   }
 
-  std::vector<std::string>
+  std::vector<Warning>
   SurfaceLoad::follow_fragments(const Fragments    &fragments,
                                 const Communicator &communicator)
   {
-    if (acts_while_attached)
-      {
-        for (std::size_t i = 0; i < surface.size(); ++i)
-          bears_load[i] &= fragments.is_in_main_piece(surface[i].cell) ? 1 : 0;
-        return {};
-      }
-    if (!is_loaded || has_warned)
-      return {};
     std::vector<std::int64_t> numbers = {0, 0};
-    for (const CellFace &face : surface)
-      if (topology.owns_cell(face.cell))
-        {
-          ++numbers[0];
-          if (fragments.has_left(fragments.of_cell[face.cell]))
-            ++numbers[1];
-        }
+    for (std::size_t i = 0; i < surface.size(); ++i)
+      {
+        const CellIndex cell     = surface[i].cell;
+        const bool      has_left = fragments.has_left(fragments.of_cell[cell]);
+        if (acts_while_in_place && has_left)
+          bears_load[i] = 0;
+        if (topology.owns_cell(cell))
+          {
+            ++numbers[0];
+            numbers[1] += has_left ? 1 : 0;
+          }
+      }
     communicator.sum(numbers);
-    if (numbers[1] == 0)
+    if (acts_while_in_place || !is_loaded || numbers[1] == 0)
       return {};
-    has_warned = true;
-    return {"the load on boundary \"" + boundary + "\" goes on acting on " +
-            std::to_string(numbers[1]) + " of its " +
-            std::to_string(numbers[0]) +
-            " faces that have left their place: their fragments have come off "
-            "and moved by more than their size. Set \"Acts while attached = "
-            "true\" in subsection \"Boundary " +
-            boundary + "\" if it is to end there."};
+    return {{"the load on boundary \"" + boundary + "\"",
+             " still acts on all of its " + std::to_string(numbers[0]) +
+               " faces although the pieces of " + std::to_string(numbers[1]) +
+               " have come off and moved by more than their size. Set \"Acts "
+               "while in place = true\" in subsection \"Boundary " +
+               boundary + "\" if it is to end there."}};
   }
 
   namespace
@@ -151,22 +146,22 @@ namespace rift
   void
   SurfaceLoad::save(const Discretization &body, Archive &archive) const
   {
-    WorkingModule::save(body, archive);
+    ModuleWithWork::save(body, archive);
     std::vector<FaceRecord> records;
     for (std::size_t i = 0; i < surface.size(); ++i)
       if (!bears_load[i] && topology.owns_cell(surface[i].cell))
         records.push_back({topology.cell_global_indices[surface[i].cell],
                            surface[i].local_face});
-    archive.write_list(name + ": faces that have come off", records);
+    archive.write_list(name + ": faces that have left", records);
   }
 
   void
   SurfaceLoad::load(const Discretization &body, const Archive &archive)
   {
-    WorkingModule::load(body, archive);
+    ModuleWithWork::load(body, archive);
     std::set<std::pair<CellIndex, std::uint32_t>> released;
     for (const auto &[cell, local_face] :
-         archive.read_list<FaceRecord>(name + ": faces that have come off"))
+         archive.read_list<FaceRecord>(name + ": faces that have left"))
       released.emplace(topology.find_cell(cell), local_face);
     for (std::size_t i = 0; i < surface.size(); ++i)
       bears_load[i] =

@@ -54,7 +54,7 @@ namespace rift
                            const RigidPieces                     &pieces,
                            const std::vector<MaterialParameters> &materials,
                            const Communicator                    &communicator)
-    : WorkingModule(topology, "rigid bodies", "loads")
+    : ModuleWithWork(topology, "rigid bodies", "loads")
     , topology(topology)
     , communicator(communicator)
     , body_of_slot(topology.n_cell_slots(), invalid_index)
@@ -416,7 +416,7 @@ namespace rift
                            body.motion.velocity,
                            body.motion.angular_momentum});
     archive.write_list("rigid bodies", records);
-    WorkingModule::save(discretization, archive);
+    ModuleWithWork::save(discretization, archive);
   }
 
   void
@@ -433,6 +433,6 @@ namespace rift
                                          record.velocity,
                                          record.angular_momentum};
       }
-    WorkingModule::load(discretization, archive);
+    ModuleWithWork::load(discretization, archive);
   }
 } // namespace rift

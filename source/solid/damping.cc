@@ -21,7 +21,7 @@ namespace rift
   Damping::Damping(const Topology          &topology,
                    const ReferenceCellData &reference,
                    std::vector<double>      viscosities)
-    : WorkingModule(topology, "viscosity", "damping")
+    : ModuleWithWork(topology, "viscosity", "damping")
     , topology(topology)
     , reference(reference)
     , viscosities(std::move(viscosities))

@@ -1,4 +1,5 @@
 #include <rift/base/check.h>
+#include <rift/base/exact_sum.h>
 #include <rift/solid/cell_frequency.h>
 #include <rift/time_integration/critical_time_step.h>
 
@@ -79,15 +80,21 @@ namespace rift
                                communicator,
                                frequency);
     };
-    const FastCell elastic = find_fastest([&](const CellIndex       cell,
-                                              const ReferenceBatch &batch,
-                                              const unsigned int    lane,
-                                              const MaterialLimits &of) {
+    const auto elastic_of = [&](const CellIndex cell) {
+      const MaterialLimits &of = limits[topology.material(cell)];
       // Three cohesive faces meet at each corner of a loose cell.
-      return largest_frequency_squared(batch, lane, of.stiffness, of.density) *
+      return largest_frequency_squared(reference[cell / batch_size],
+                                       cell % batch_size,
+                                       of.stiffness,
+                                       of.density) *
                (1 + 3 * of.cohesive_stiffness_factor) +
              (penalty ? penalty(cell) : 0.);
-    });
+    };
+    const FastCell elastic =
+      find_fastest([&](const CellIndex cell,
+                       const ReferenceBatch &,
+                       unsigned int,
+                       const MaterialLimits &) { return elastic_of(cell); });
     // Elastic branches may bring any breakable cell up to this frequency,
     // whatever its own is, so that viscosity must be stable together with it.
     const double   omega   = std::sqrt(elastic.frequency);
@@ -106,10 +113,25 @@ namespace rift
       return omega * (std::sqrt(1 + ratio * ratio) + ratio);
     });
 
+    // What does not deform has no frequency.
+    ExactSum     sum_of_steps;
+    std::int64_t n_cells = 0;
+    for (CellIndex i = 0; i < topology.n_cell_slots(); ++i)
+      if (const double frequency = topology.owns_cell(i) ? elastic_of(i) : 0.;
+          frequency > 0)
+        {
+          sum_of_steps.add(2 / std::sqrt(frequency));
+          ++n_cells;
+        }
+    ExactSum::sum_over_ranks({&sum_of_steps}, communicator);
+    n_cells = communicator.sum(n_cells);
+
     const FastCell &fastest  = viscous.frequency > omega ? viscous : elastic;
     const MaterialLimits &of = limits[fastest.material];
     return {2 / std::max(omega, viscous.frequency),
             elastic.frequency,
+            sum_of_steps.value() / std::max<std::int64_t>(n_cells, 1),
+            elastic.cell,
             "cell " + std::to_string(fastest.cell) + " of " + of.name +
               (of.cohesive_stiffness_factor > 0 ?
                  ", with room for cracks or contact" :

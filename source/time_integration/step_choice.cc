@@ -15,6 +15,9 @@ namespace rift
     /** More are worth a warning. */
     constexpr double usual_number_of_steps = 1e7;
 
+    /** Below this, one cell costs more than all others. */
+    constexpr double least_step_over_mean = .1;
+
     /** Years of computing; more is a mistake in the scene. */
     constexpr double largest_number_of_steps = 1e12;
   } // namespace
@@ -58,6 +61,14 @@ namespace rift
     std::vector<std::string> result;
     if (choice.last_step > usual_number_of_steps)
       result.push_back("these are many steps. Is the end time in seconds?");
+    if (critical.time_step < least_step_over_mean * critical.mean_time_step)
+      result.push_back(
+        "the smallest or flattest cell, " +
+        std::to_string(critical.smallest_cell) + " of the mesh, allows " +
+        short_text(critical.time_step / critical.mean_time_step) +
+        " times the time step that cells allow on average, so that the run "
+        "takes so many more steps. Is it a sliver? Try another \"Element "
+        "size\", or \"Mesh.Algorithm3D = 10;\" in the .geo.");
     if (choice.time_step > critical.time_step)
       result.push_back("the time step is above the bound at which it is sure "
                        "to be stable");

@@ -56,6 +56,24 @@ TEST(Log, KnowsItsWarningsAfterARestart)
             "WARNING: second\nWARNING: third\nWARNING: third\n");
 }
 
+TEST(Log, WarnsOnceOfASubject)
+{
+  const TemporaryDirectory directory;
+  {
+    Log log(nullptr);
+    log.open(directory / "log.txt");
+    log.warn_once({"the load on \"a\"", " acts on 2 faces"});
+    log.warn_once({"the load on \"a\"", " acts on 3 faces"});
+  }
+  Log log(nullptr);
+  log.reopen(directory / "log.txt");
+  log.warn_once({"the load on \"a\"", " acts on 4 faces"});
+  log.warn_once({"the load on \"b\"", " acts on 5 faces"});
+  EXPECT_EQ(read_file(directory / "log.txt"),
+            "WARNING: the load on \"a\" acts on 2 faces\n"
+            "WARNING: the load on \"b\" acts on 5 faces\n");
+}
+
 TEST(Log, Quiet)
 {
   const TemporaryDirectory directory;

@@ -28,7 +28,7 @@ namespace rift
       print_reference
     };
 
-    /** By default the scene is computed. */
+    /** What is asked for. */
     Action action = Action::run;
 
     /** Path of the scene. */

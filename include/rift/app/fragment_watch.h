@@ -2,52 +2,50 @@
 #define rift_app_fragment_watch_h
 
 #include <rift/app/body.h>
+#include <rift/base/warning.h>
 #include <rift/discretization/fragments.h>
 
 namespace rift
 {
   /**
-   * Finds out when pieces of the body do what no rock does: move faster than
-   * waves could have driven them, or pass through each other. Says so once.
+   * Looks for pieces of the body that are improbably fast or overlap each
+   * other.
    */
   class FragmentWatch
   {
   public:
-    /** @param body must outlive this object.
-     * @param has_contact whether contact keeps pieces apart. */
-    FragmentWatch(const Body &body, bool has_contact);
+    /**
+     * @param body must outlive this object.
+     * @param has_contact whether contact keeps pieces apart.
+     * @param loads_follow whether no load acts on what has left its place.
+     */
+    FragmentWatch(const Body &body, bool has_contact, bool loads_follow);
 
-    /** Warnings before the first step. Collective. */
-    std::vector<std::string>
+    /** About separate bodies, before the first step. Collective. */
+    std::vector<Warning>
     warnings_at_start() const;
 
-    /** New warnings about the pieces as they are now. Collective. */
-    std::vector<std::string>
-    look(const Fragments &fragments);
-
-    /**
-     * Largest speed that is expected of a fragment, m/s: a tenth of the speed
-     * of P-waves, which takes strains of a tenth, plus twice the largest speed
-     * at the start, which a light body gets from a heavy one.
-     */
-    double
-    largest_speed() const
-    {
-      return speed_limit;
-    }
+    /** About the pieces as they are now. Collective. */
+    std::vector<Warning>
+    look(const Fragments &fragments) const;
 
   private:
-    std::string
-    warning_of_speed(const Fragments &fragments) const;
+    std::vector<Warning>
+    warnings_of_speed(const Fragments &fragments) const;
 
-    std::string
-    warning_of_interpenetration() const;
+    std::vector<Warning>
+    warnings_of_overlap() const;
 
     const Body &body;
-    const bool  has_contact;
-    double      speed_limit;
-    bool        has_warned_of_speed            = false;
-    bool        has_warned_of_interpenetration = false;
+    const bool  has_contact, loads_follow;
+
+    /**
+     * Largest speed that is expected of a fragment, m/s: a tenth of the largest
+     * speed of P-waves along the axes, which takes strains of a tenth, plus
+     * twice the largest initial speed, which a light body gets from a heavy
+     * one. A rule of thumb: velocities that are prescribed later do not count.
+     */
+    const double largest_speed;
   };
 } // namespace rift
 

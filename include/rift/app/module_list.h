@@ -37,7 +37,7 @@ namespace rift
       return list.begin();
     }
 
-    /** Behind the last module. */
+    /** One past the last module. */
     auto
     end() const
     {

@@ -130,14 +130,14 @@ namespace rift
     void
     follow_owners(StepContext &step, const TopologyChange &change);
 
-    /** Whether loads and warnings are to learn of the pieces in this step. */
-    bool
-    are_fragments_due() const;
-
-    /** Finds the pieces, once faces have failed, and tells modules and the
-     * user of them. Collective. */
+    /**
+     * Once faces have failed and when it is due: finds the pieces, and tells
+     * modules and the user of them. Collective.
+     *
+     * @param is_end whether the run has come to its end: due in any case.
+     */
     void
-    follow_fragments();
+    follow_fragments(bool is_end = false);
 
     /** Writes a checkpoint of the state between two steps. Collective. */
     void

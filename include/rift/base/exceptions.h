@@ -66,7 +66,7 @@ namespace rift
   class CollectiveError : public Error
   {
   public:
-    /** The constructor of Error. */
+    /** An error that all ranks throw together, with this exit code and message. */
     using Error::Error;
   };
 

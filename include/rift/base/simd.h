@@ -129,7 +129,7 @@ namespace rift
     return select(a < b, a, b);
   }
 
-  /** As that of Simd, for laws with double. */
+  /** The square root of a number, for laws that are templates. */
   inline double
   sqrt(const double a)
   {

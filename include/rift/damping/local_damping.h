@@ -2,7 +2,7 @@
 #define rift_damping_local_damping_h
 
 #include <rift/material/material_parameters.h>
-#include <rift/module/working_module.h>
+#include <rift/module/module_with_work.h>
 
 #include <vector>
 
@@ -19,7 +19,7 @@ namespace rift
    * nodes that part have been held together, which keeps their common
    * acceleration. Velocities are those of half a step ago.
    */
-  class LocalDamping : public WorkingModule
+  class LocalDamping : public ModuleWithWork
   {
   public:
     /**

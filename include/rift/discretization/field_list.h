@@ -194,7 +194,7 @@ namespace rift
       return fields.begin();
     }
 
-    /** Behind the last field. */
+    /** One past the last field. */
     std::vector<Field>::const_iterator
     end() const
     {

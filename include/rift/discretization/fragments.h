@@ -41,15 +41,10 @@ namespace rift
      * for padding. */
     std::vector<std::uint32_t> of_cell;
 
-    /** Whether a cell belongs to the largest piece of its body. */
-    bool
-    is_in_main_piece(const CellIndex cell) const
-    {
-      return list[of_cell[cell]].main_piece == of_cell[cell];
-    }
-
-    /** Whether a piece has come off its body and moved, against the largest
-     * piece of that, by more than the edge of a cube of its volume. */
+    /** Whether a piece has come off its body and left its place: its centre has
+     * moved, compared with that of the largest piece, by more than the edge of
+     * a cube of its volume. If the largest piece spins, that may be true of
+     * pieces that only spin with it. */
     bool
     has_left(std::uint32_t fragment) const;
   };

@@ -54,7 +54,7 @@ namespace rift
     /** Can be moved, but not copied. */
     GhostExchange(GhostExchange &&) = default;
 
-    /** As the constructor. */
+    /** Can be moved, but not copied. */
     GhostExchange &
     operator=(GhostExchange &&) = default;
 
@@ -196,17 +196,6 @@ namespace rift
     bool                 has_velocities = false;
     std::vector<Partner> receivers, senders;
   };
-
-  /**
-   * Gives ghosts the numbers of their cells on the ranks that own them.
-   * Collective.
-   *
-   * @param values one for each cell slot.
-   */
-  void
-  copy_to_ghosts(const Communicator  &communicator,
-                 const Topology      &topology,
-                 std::vector<double> &values);
 } // namespace rift
 
 #endif

@@ -2,6 +2,7 @@
 #define rift_io_log_h
 
 #include <rift/base/output_file.h>
+#include <rift/base/warning.h>
 
 #include <iosfwd>
 #include <memory>
@@ -50,6 +51,11 @@ namespace rift
     /** Writes a line that begins with WARNING. */
     void
     warn(const std::string &text);
+
+    /** warn(), unless a warning with this subject has been given, also before a
+     * restart. */
+    void
+    warn_once(const Warning &warning);
 
     /** The texts of all warnings so far, each once; after reopen() those in the
      * file, too. */

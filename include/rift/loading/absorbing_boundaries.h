@@ -2,7 +2,7 @@
 #define rift_loading_absorbing_boundaries_h
 
 #include <rift/mesh/surface.h>
-#include <rift/module/working_module.h>
+#include <rift/module/module_with_work.h>
 
 #include <functional>
 #include <vector>
@@ -16,7 +16,7 @@ namespace rift
    * the time step nor make energy. The dashpots of all surfaces that meet at a
    * node act as one.
    */
-  class AbsorbingBoundaries : public WorkingModule
+  class AbsorbingBoundaries : public ModuleWithWork
   {
   public:
     /** One of the surfaces, and its name in the scene. */

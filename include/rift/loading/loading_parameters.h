@@ -35,8 +35,9 @@ namespace rift
     /** Prescribed components of the velocity, m/s. */
     std::array<std::string, 3> velocity;
 
-    /** Whether pressure and traction end on a face whose cell comes off. */
-    bool acts_while_attached = false;
+    /** Whether pressure and traction end on a face whose piece of the body has
+     * left its place; see Fragments::has_left(). */
+    bool acts_while_in_place = false;
 
     /** Whether waves leave the body here. */
     bool absorbs = false;

@@ -5,7 +5,7 @@
 #include <rift/loading/loading_parameters.h>
 #include <rift/loading/time_function.h>
 #include <rift/mesh/surface.h>
-#include <rift/module/working_module.h>
+#include <rift/module/module_with_work.h>
 
 #include <optional>
 #include <vector>
@@ -17,7 +17,7 @@ namespace rift
    * surfaces meet, the first one in the .prm that prescribes a component
    * counts.
    */
-  class PrescribedMotion : public WorkingModule
+  class PrescribedMotion : public ModuleWithWork
   {
   public:
     /** A surface and what is said of it. */

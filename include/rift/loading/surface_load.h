@@ -5,7 +5,7 @@
 #include <rift/loading/loading_parameters.h>
 #include <rift/loading/time_function.h>
 #include <rift/mesh/surface.h>
-#include <rift/module/working_module.h>
+#include <rift/module/module_with_work.h>
 
 #include <optional>
 #include <vector>
@@ -17,7 +17,7 @@ namespace rift
    * area and along the current normal; traction is per undeformed area and
    * keeps its direction.
    */
-  class SurfaceLoad : public WorkingModule
+  class SurfaceLoad : public ModuleWithWork
   {
   public:
     /** @param parameters must have a pressure or a traction. */
@@ -65,10 +65,10 @@ namespace rift
     bool
     needs_fragments() const override
     {
-      return acts_while_attached;
+      return acts_while_in_place;
     }
 
-    std::vector<std::string>
+    std::vector<Warning>
     follow_fragments(const Fragments    &fragments,
                      const Communicator &communicator) override;
 
@@ -97,7 +97,7 @@ namespace rift
     const Topology                            &topology;
     const std::string                          boundary;
     const Surface                              surface;
-    const bool                                 acts_while_attached;
+    const bool                                 acts_while_in_place;
     std::optional<TimeFunction>                pressure;
     std::array<std::optional<TimeFunction>, 3> traction;
 
@@ -110,7 +110,7 @@ namespace rift
     /** Whether each face bears the load. */
     std::vector<std::uint8_t> bears_load;
 
-    bool is_loaded = false, has_warned = false;
+    bool is_loaded = false;
   };
 } // namespace rift
 

@@ -32,7 +32,7 @@ namespace rift
     /** The sides of one face: one on the boundary, two inside the body. */
     struct Range
     {
-      /** The first one, and behind the last. */
+      /** The first side, and one past the last. */
       const Side *first, *last;
 
       /** The first side. */
@@ -42,14 +42,14 @@ namespace rift
         return first;
       }
 
-      /** Behind the last side. */
+      /** One past the last side. */
       const Side *
       end() const
       {
         return last;
       }
 
-      /** 1 or 2. */
+      /** Number of sides: 1 on the surface of the mesh, 2 inside. */
       std::size_t
       size() const
       {

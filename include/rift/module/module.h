@@ -2,6 +2,7 @@
 #define rift_module_module_h
 
 #include <rift/base/stage_timer.h>
+#include <rift/base/warning.h>
 #include <rift/discretization/discretization.h>
 #include <rift/discretization/field_list.h>
 #include <rift/discretization/fragments.h>
@@ -200,9 +201,8 @@ namespace rift
     /** Takes in, from time to time once faces have failed, which pieces there
      * are. Collective.
      *
-     * @return sentences for the log, on rank 0, about what makes no sense any
-     *   more; each only once. */
-    virtual std::vector<std::string>
+     * @return about what makes no sense any more; the same on all ranks. */
+    virtual std::vector<Warning>
     follow_fragments(const Fragments &, const Communicator &)
     {
       return {};

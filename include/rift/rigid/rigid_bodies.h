@@ -6,7 +6,7 @@
 #include <rift/discretization/field_list.h>
 #include <rift/loading/time_function.h>
 #include <rift/material/material_parameters.h>
-#include <rift/module/working_module.h>
+#include <rift/module/module_with_work.h>
 #include <rift/rigid/rigid_motion.h>
 #include <rift/rigid/rigid_pieces.h>
 
@@ -21,7 +21,7 @@ namespace rift
    * replaced by those that move them as a body, so that kick, drift and ledger
    * need not know of it. Mass and inertia are those of the lumped masses.
    */
-  class RigidBodies : public WorkingModule
+  class RigidBodies : public ModuleWithWork
   {
   public:
     /**

@@ -21,7 +21,7 @@ namespace rift
   Vector3<double>
   change_by(const Quaternion &rotation, const Vector3<double> &vector);
 
-  /** A vector when it is turned. */
+  /** A vector rotated by a quaternion. */
   inline Vector3<double>
   turned(const Quaternion &rotation, const Vector3<double> &vector)
   {

@@ -3,7 +3,7 @@
 
 #include <rift/discretization/activity.h>
 #include <rift/discretization/reference_cell_data.h>
-#include <rift/module/working_module.h>
+#include <rift/module/module_with_work.h>
 
 #include <vector>
 
@@ -14,7 +14,7 @@ namespace rift
    * eq. 8), taken at the velocity of half a step ago. Only constructed when a
    * material has a viscosity.
    */
-  class Damping : public WorkingModule
+  class Damping : public ModuleWithWork
   {
   public:
     /** @param viscosities Pa s, one for each material index. */

@@ -41,6 +41,11 @@ namespace rift
      */
     double frequency_squared;
 
+    /** The same bound of a cell alone, the mean of all, s; and the cell that has
+     * the smallest one. */
+    double          mean_time_step;
+    GlobalCellIndex smallest_cell;
+
     /** For the log: "cell 17 of granite, with room for cracks or contact". */
     std::string limited_by;
   };

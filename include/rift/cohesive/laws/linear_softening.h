@@ -119,7 +119,7 @@ namespace rift
       "opening and sliding make one effective jump, with which the traction "
       "softens along a line (eq. 14d of doc/theory.md)";
 
-    /** Of one face. `stiffness` is the slope of the elastic branch, Pa/m. */
+    /** The constants of one face. `stiffness` is the slope of the elastic branch, Pa/m. */
     static Constants<double>
     make_constants(const FaceStrength &strength, const double stiffness)
     {

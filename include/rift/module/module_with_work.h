@@ -1,5 +1,5 @@
-#ifndef rift_module_working_module_h
-#define rift_module_working_module_h
+#ifndef rift_module_module_with_work_h
+#define rift_module_module_with_work_h
 
 #include <rift/discretization/work.h>
 #include <rift/module/module.h>
@@ -8,19 +8,19 @@
 
 namespace rift
 {
-  /** A module that adds up the work of its forces, enters it into the ledger
-   * and saves it. */
-  class WorkingModule : public Module
+  /** A module that counts how much energy its forces put into the body or take
+   * out of it, enters it into the ledger and saves it. */
+  class ModuleWithWork : public Module
   {
   public:
     /**
      * @param topology must outlive this object.
      * @param name of the module, under which its work is saved.
-     * @param energy to which its work counts.
+     * @param energy name of the energy in the ledger to which it adds.
      */
-    WorkingModule(const Topology    &topology,
-                  const std::string &name,
-                  const std::string &energy)
+    ModuleWithWork(const Topology    &topology,
+                   const std::string &name,
+                   const std::string &energy)
       : work_done(topology)
       , name(name)
       , energy(energy)
@@ -45,7 +45,9 @@ namespace rift
       work_done.load(name, archive);
     }
 
-    /** Work up to t_n, J, as of the last count_work(). */
+    /** Energy up to t_n, J, with its sign in the ledger: that which loads have
+     * put in, that which damping has taken out. As of the last call that
+     * counts: count_work() or constrain(). */
     Work &
     work()
     {
@@ -53,7 +55,7 @@ namespace rift
     }
 
   protected:
-    /** What a module adds to in count_work(). */
+    /** What a module adds to. */
     Work work_done;
 
     /** Name of the module. */
