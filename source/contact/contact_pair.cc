@@ -137,6 +137,31 @@ namespace rift
         }
       return slope;
     }
+
+    /**
+     * Moves the damper, which never pulls by more than the elastic force
+     * pushes.
+     *
+     * @param speed of A against B along the force on A, m/s.
+     * @return its force, N.
+     */
+    double
+    damp(const ContactConstants &constants,
+         const double            stiffness,
+         const double            elastic,
+         const double            speed,
+         const double            time_step,
+         ContactMemory          &memory,
+         ContactForces          &result)
+    {
+      const double force = std::max(
+        -2 * constants.damping * std::sqrt(stiffness * constants.mass) * speed,
+        -elastic);
+      result.damping_loss =
+        -.5 * (memory.damping_force + force) * speed * time_step;
+      memory.damping_force = force;
+      return force;
+    }
   } // namespace
 
   ContactForces
@@ -175,15 +200,14 @@ namespace rift
     // stiffness times the square of the depth, over the penalty.
     const double stiffness = elastic * elastic / (2 * slope * common.potential);
 
-    const double speed         = dot(velocity, normal);
-    const double damping_force = std::max(
-      -2 * constants.damping * std::sqrt(stiffness * constants.mass) * speed,
-      -elastic);
-    result.damping_loss =
-      -.5 * (memory.damping_force + damping_force) * speed * time_step;
-    memory.damping_force = damping_force;
-
-    Vector3<double> added = damping_force * normal;
+    const double    damping_force = damp(constants,
+                                      stiffness,
+                                      elastic,
+                                      dot(velocity, normal),
+                                      time_step,
+                                      memory,
+                                      result);
+    Vector3<double> added         = damping_force * normal;
     if (constants.friction > 0)
       {
         result.friction_loss = slide(normal,

@@ -64,6 +64,29 @@ namespace rift
       rift_check(fastest.cell != invalid_index);
       return fastest;
     }
+
+    /** The mean over all cells of the bound of the time step, s.
+     * @param frequency_squared of a cell, 1/s^2; zero where it is rigid. */
+    template <typename Function>
+    double
+    mean_bound(const Topology     &topology,
+               const Communicator &communicator,
+               const Function     &frequency_squared)
+    {
+      ExactSum     sum;
+      std::int64_t n_cells = 0;
+      for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
+        if (const double square =
+              topology.owns_cell(cell) ? frequency_squared(cell) : 0.;
+            square > 0)
+          {
+            sum.add(2 / std::sqrt(square));
+            ++n_cells;
+          }
+      ExactSum::sum_over_ranks({&sum}, communicator);
+      n_cells = communicator.sum(n_cells);
+      return sum.value() / std::max<std::int64_t>(n_cells, 1);
+    }
   } // namespace
 
   CriticalTimeStep
@@ -113,24 +136,11 @@ namespace rift
       return omega * (std::sqrt(1 + ratio * ratio) + ratio);
     });
 
-    // What does not deform has no frequency.
-    ExactSum     sum_of_steps;
-    std::int64_t n_cells = 0;
-    for (CellIndex i = 0; i < topology.n_cell_slots(); ++i)
-      if (const double frequency = topology.owns_cell(i) ? elastic_of(i) : 0.;
-          frequency > 0)
-        {
-          sum_of_steps.add(2 / std::sqrt(frequency));
-          ++n_cells;
-        }
-    ExactSum::sum_over_ranks({&sum_of_steps}, communicator);
-    n_cells = communicator.sum(n_cells);
-
     const FastCell &fastest  = viscous.frequency > omega ? viscous : elastic;
     const MaterialLimits &of = limits[fastest.material];
     return {2 / std::max(omega, viscous.frequency),
             elastic.frequency,
-            sum_of_steps.value() / std::max<std::int64_t>(n_cells, 1),
+            mean_bound(topology, communicator, elastic_of),
             elastic.cell,
             "cell " + std::to_string(fastest.cell) + " of " + of.name +
               (of.cohesive_stiffness_factor > 0 ?
