@@ -34,7 +34,7 @@ material() {
 
 arguments=(blocks.prm --set "Checkpoint/Interval in steps=20")
 expect 0 1 "${arguments[@]}" --output whole
-says "Mesh blocks.geo: [0-9]* cells, [0-9]* nodes; materials: 1, Härte 2; \
+says "Mesh blocks.geo: 2 x 1 x 1 m, [0-9]* cells, [0-9]* nodes; materials: 1, Härte 2; \
 boundaries: 1e3, right end" whole/log.txt
 says "7 \[m/s\]" whole/probes.csv
 says "subsection Material Härte 2" whole/parameters.prm
