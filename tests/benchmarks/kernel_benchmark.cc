@@ -124,10 +124,8 @@ namespace rift::test
     // Cubes of 20 and 55 edges: 48,000 and 998,250 cells.
     BENCHMARK(isotropic)->Arg(20)->Arg(55)->Unit(benchmark::kMillisecond);
     BENCHMARK(isotropic_armed)->Arg(20)->Arg(55)->Unit(benchmark::kMillisecond);
-    BENCHMARK(isotropic_scattered)
-      ->Arg(20)
-      ->Arg(55)
-      ->Unit(benchmark::kMillisecond);
+    // Among a million cells some are so weak that they are near their strength.
+    BENCHMARK(isotropic_scattered)->Arg(20)->Unit(benchmark::kMillisecond);
     BENCHMARK(anisotropic)->Arg(20)->Arg(55)->Unit(benchmark::kMillisecond);
     BENCHMARK(anisotropic_armed)
       ->Arg(20)
