@@ -114,16 +114,8 @@ namespace
   void
   push_halves_into_each_other(DiscreteBody &body, const FaceState face_state)
   {
-    Topology              &topology = body.topology;
-    std::vector<FaceIndex> faces;
-    for (FaceIndex face = 0; face < topology.faces.size(); ++face)
-      {
-        bool is_in_plane = true;
-        for (const VertexIndex v : triangle_of(topology, face))
-          is_in_plane &= body.state.reference[v][0] == 1;
-        if (is_in_plane)
-          faces.push_back(face);
-      }
+    Topology  &topology = body.topology;
+    const auto faces    = faces_in_plane(body, 1);
     body.state.grow(split_nodes(topology, faces));
     for (const FaceIndex face : faces)
       topology.face_states[face] = face_state;

@@ -8,22 +8,6 @@ using namespace rift::test;
 // and a face cut alone with 0, 1, 2 and 3 edges on the surface.
 namespace
 {
-  /** The interior faces all of whose vertices have x = `x`. */
-  std::vector<FaceIndex>
-  faces_in_plane(const DiscreteBody &body, const double x)
-  {
-    std::vector<FaceIndex> faces;
-    for (FaceIndex face = 0; face < body.topology.faces.size(); ++face)
-      {
-        const Triangle t = triangle_of(body.topology, face);
-        if (std::all_of(t.begin(), t.end(), [&](const VertexIndex v) {
-              return std::abs(body.state.reference[v][0] - x) < 1e-12;
-            }))
-          faces.push_back(face);
-      }
-    return faces;
-  }
-
   /** Number of nodes at the vertex that was at this place. */
   std::size_t
   n_nodes_at(const DiscreteBody &body, const Vector3<double> &place)

@@ -121,6 +121,22 @@ namespace rift::test
     return t;
   }
 
+  /** The interior faces all of whose vertices have x = `x`. */
+  inline std::vector<FaceIndex>
+  faces_in_plane(const DiscreteBody &body, const double x)
+  {
+    std::vector<FaceIndex> faces;
+    for (FaceIndex face = 0; face < body.topology.faces.size(); ++face)
+      {
+        const Triangle t = triangle_of(body.topology, face);
+        if (std::all_of(t.begin(), t.end(), [&](const VertexIndex v) {
+              return std::abs(body.state.reference[v][0] - x) < 1e-12;
+            }))
+          faces.push_back(face);
+      }
+    return faces;
+  }
+
   /**
    * A box from which cells have been removed at random, so that its surface
    * has every shape, with two materials and the corners of each cell in random
