@@ -187,14 +187,16 @@ namespace rift
     void
     clip(const Simplex &simplex, const double volume, Part &part)
     {
-      const Plane plane(simplex);
-      if (volume == 0 || plane.how().n_inside == 0)
+      if (volume == 0)
         return;
-      const auto  &order = plane.how().order;
-      const Point &p0 = *simplex[order[0]], &p1 = *simplex[order[1]],
-                  &p2 = *simplex[order[2]], &p3 = *simplex[order[3]];
-      switch (plane.how().n_inside)
+      const Plane  plane(simplex);
+      const auto  &how = plane.how();
+      const Point &p0 = *simplex[how.order[0]], &p1 = *simplex[how.order[1]],
+                  &p2 = *simplex[how.order[2]], &p3 = *simplex[how.order[3]];
+      switch (how.n_inside)
         {
+        case 0:
+          return;
         case 1:
           {
             const double t1 = plane.cut_fraction(p0, p1),
