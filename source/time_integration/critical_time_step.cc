@@ -65,28 +65,34 @@ namespace rift
       return fastest;
     }
 
-    /** The mean over all cells of the bound of the time step, s.
-     * @param frequency_squared of a cell, 1/s^2; zero where it is rigid. */
-    template <typename Function>
-    double
-    mean_bound(const Topology     &topology,
-               const Communicator &communicator,
-               const Function     &frequency_squared)
+    /** The mean over cells of the bound of the time step. */
+    class MeanBound
     {
-      ExactSum     sum;
-      std::int64_t n_cells = 0;
-      for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
-        if (const double square =
-              topology.owns_cell(cell) ? frequency_squared(cell) : 0.;
-            square > 0)
+    public:
+      /** @param frequency_squared of a cell, 1/s^2; zero where it is rigid. */
+      void
+      add(const double frequency_squared)
+      {
+        if (frequency_squared > 0)
           {
-            sum.add(2 / std::sqrt(square));
+            sum.add(2 / std::sqrt(frequency_squared));
             ++n_cells;
           }
-      ExactSum::sum_over_ranks({&sum}, communicator);
-      n_cells = communicator.sum(n_cells);
-      return sum.value() / std::max<std::int64_t>(n_cells, 1);
-    }
+      }
+
+      /** Of all ranks, s. Collective. */
+      double
+      value(const Communicator &communicator)
+      {
+        ExactSum::sum_over_ranks({&sum}, communicator);
+        return sum.value() /
+               std::max<std::int64_t>(communicator.sum(n_cells), 1);
+      }
+
+    private:
+      ExactSum     sum;
+      std::int64_t n_cells = 0;
+    };
   } // namespace
 
   CriticalTimeStep
@@ -103,21 +109,19 @@ namespace rift
                                communicator,
                                frequency);
     };
-    const auto elastic_of = [&](const CellIndex cell) {
-      const MaterialLimits &of = limits[topology.material(cell)];
+    MeanBound      mean;
+    const FastCell elastic = find_fastest([&](const CellIndex       cell,
+                                              const ReferenceBatch &batch,
+                                              const unsigned int    lane,
+                                              const MaterialLimits &of) {
       // Three cohesive faces meet at each corner of a loose cell.
-      return largest_frequency_squared(reference[cell / batch_size],
-                                       cell % batch_size,
-                                       of.stiffness,
-                                       of.density) *
-               (1 + 3 * of.cohesive_stiffness_factor) +
-             (penalty ? penalty(cell) : 0.);
-    };
-    const FastCell elastic =
-      find_fastest([&](const CellIndex cell,
-                       const ReferenceBatch &,
-                       unsigned int,
-                       const MaterialLimits &) { return elastic_of(cell); });
+      const double square =
+        largest_frequency_squared(batch, lane, of.stiffness, of.density) *
+          (1 + 3 * of.cohesive_stiffness_factor) +
+        (penalty ? penalty(cell) : 0.);
+      mean.add(square);
+      return square;
+    });
     // Elastic branches may bring any breakable cell up to this frequency,
     // whatever its own is, so that viscosity must be stable together with it.
     const double   omega   = std::sqrt(elastic.frequency);
@@ -140,7 +144,7 @@ namespace rift
     const MaterialLimits &of = limits[fastest.material];
     return {2 / std::max(omega, viscous.frequency),
             elastic.frequency,
-            mean_bound(topology, communicator, elastic_of),
+            mean.value(communicator),
             elastic.cell,
             "cell " + std::to_string(fastest.cell) + " of " + of.name +
               (of.cohesive_stiffness_factor > 0 ?

@@ -15,7 +15,7 @@ namespace rift
     /** More are worth a warning. */
     constexpr double usual_number_of_steps = 1e7;
 
-    /** Below this, one cell costs more than all others. */
+    /** Below this, few cells make the run ten times as long. */
     constexpr double least_step_over_mean = .1;
 
     /** Years of computing; more is a mistake in the scene. */
