@@ -3,7 +3,6 @@
 #include <rift/base/number_text.h>
 #include <rift/base/vector_text.h>
 #include <rift/contact/interpenetration.h>
-#include <rift/discretization/fragment_labels.h>
 #include <rift/material/wave_speeds.h>
 
 #include <algorithm>
@@ -58,15 +57,13 @@ namespace rift
   {
     if (has_contact)
       return {};
-    const Topology      &topology     = body.discretization.topology;
-    const Communicator  &communicator = body.communicator;
-    const FragmentLabels labels       = label_bodies(topology, communicator);
-    std::int64_t         n_bodies     = 0;
-    for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
-      if (topology.owns_cell(cell) &&
-          topology.cell_global_indices[cell] == labels.of_cell[cell])
+    const Discretization &d        = body.discretization;
+    std::int64_t          n_bodies = 0;
+    for (CellIndex cell = 0; cell < d.topology.n_cell_slots(); ++cell)
+      if (d.topology.owns_cell(cell) &&
+          d.topology.cell_global_indices[cell] == d.bodies[cell])
         ++n_bodies;
-    n_bodies = communicator.sum(n_bodies);
+    n_bodies = d.communicator.sum(n_bodies);
     if (n_bodies == 1)
       return {};
     return {{"the mesh has " + std::to_string(n_bodies) + " separate bodies",
@@ -153,8 +150,9 @@ namespace rift
     return {{subject,
              ": " + std::to_string(found.n_pairs) +
                (found.n_pairs == 1 ? " pair" : " pairs") +
-               " of cells have more than 10 % of the smaller one's volume in "
-               "common, up to " +
+               " of cells have more than " +
+               percent_text(Interpenetration::tolerated_part) +
+               " of the smaller one's volume in common, up to " +
                percent_text(found.largest_part) + " at " +
                place_text(found.place) + advice}};
   }

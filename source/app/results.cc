@@ -38,6 +38,7 @@ namespace rift
       return rift::find_fragments(d.topology,
                                   d.reference,
                                   d.densities,
+                                  d.bodies,
                                   d.state,
                                   velocity_at_step(d.state, snapshot.time_step),
                                   d.communicator);

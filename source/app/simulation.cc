@@ -144,8 +144,14 @@ namespace rift
   Simulation::prepare(const Restart *restart)
   {
     Discretization &discretization = body.discretization;
-    auto &[communicator, topology, reference, state, exchange, activity, _] =
-      discretization;
+    auto &[communicator,
+           topology,
+           reference,
+           state,
+           exchange,
+           activity,
+           _,
+           bodies]                 = discretization;
     if (std::any_of(body.materials.begin(),
                     body.materials.end(),
                     [](const MaterialParameters &material) {

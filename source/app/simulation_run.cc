@@ -148,6 +148,7 @@ namespace rift
     const Fragments fragments = find_fragments(d.topology,
                                                d.reference,
                                                d.densities,
+                                               d.bodies,
                                                d.state,
                                                velocities,
                                                d.communicator);

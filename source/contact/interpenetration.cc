@@ -10,9 +10,6 @@ namespace rift
 {
   namespace
   {
-    /** Of the volume of the smaller one of two cells. */
-    constexpr double tolerated_part = .1;
-
     std::vector<ContactCell>
     surface_cells(const Topology &topology, const State &state, const int rank)
     {
@@ -77,7 +74,7 @@ namespace rift
           continue;
         const double part =
           overlap(a.motion.positions, b.motion.positions).volume_fraction;
-        if (part <= tolerated_part)
+        if (part <= Interpenetration::tolerated_part)
           continue;
         ++n_pairs;
         const Deepest here{part, a.cell, b.cell, a.motion.positions[0]};

@@ -1,6 +1,7 @@
 #include <rift/base/check.h>
 #include <rift/base/exceptions.h>
 #include <rift/discretization/discretize.h>
+#include <rift/discretization/fragment_labels.h>
 #include <rift/mesh/node_splitter.h>
 
 #include <deal.II/base/multithread_info.h>
@@ -185,6 +186,7 @@ namespace rift
                            result.state.mass.end(),
                            is_positive));
     result.activity = Activity(topology);
+    result.bodies   = label_bodies(topology, communicator).of_cell;
     return result;
   }
 } // namespace rift

@@ -198,12 +198,12 @@ namespace rift
   find_fragments(const Topology                     &topology,
                  const ReferenceCellData            &reference,
                  const std::vector<double>          &densities,
+                 const std::vector<GlobalCellIndex> &bodies,
                  const State                        &state,
                  const std::vector<Vector3<double>> &velocity,
                  const Communicator                 &communicator)
   {
     const FragmentLabels labels   = label_fragments(topology, communicator);
-    const FragmentLabels bodies   = label_bodies(topology, communicator);
     const auto           terms_of = [&](const CellIndex cell) {
       Terms terms{};
       terms[n_cells] = 1;
@@ -219,7 +219,7 @@ namespace rift
       // Only the first cell of a piece, whose index is its label, adds this:
       // the sum is the label of the body.
       if (topology.cell_global_indices[cell] == labels.of_cell[cell])
-        terms[body_label] = bodies.of_cell[cell];
+        terms[body_label] = bodies[cell];
       return terms;
     };
     const auto  own   = contributions<n_sums>(topology, labels, terms_of);

@@ -44,6 +44,7 @@ namespace
     return find_fragments(body.topology,
                           body.reference,
                           densities,
+                          label_bodies(body.topology, communicator).of_cell,
                           body.state,
                           velocities(body.state),
                           communicator);
@@ -144,15 +145,7 @@ TEST(Fragments, TwoHalvesOfABar)
   const auto   owners   = random_owners(bar.cells.size(), all.size(), random);
   DiscreteBody body     = discretize(part_of(bar, owners, all.rank()), {2000});
   Topology    &topology = body.topology;
-  std::vector<FaceIndex> faces;
-  for (FaceIndex face = 0; face < topology.faces.size(); ++face)
-    {
-      bool is_in_plane = true;
-      for (const VertexIndex v : triangle_of(topology, face))
-        is_in_plane &= body.state.reference[v][0] == 1;
-      if (is_in_plane)
-        faces.push_back(face);
-    }
+  const auto   faces    = faces_in_plane(body, 1);
   body.state.grow(split_nodes(topology, faces));
   for (const FaceIndex face : faces)
     topology.face_states[face] = FaceState::failed;

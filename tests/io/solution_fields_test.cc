@@ -1,6 +1,7 @@
 // What is written for ParaView, and the hash, on several ranks.
 
 #include <rift/base/bytes.h>
+#include <rift/discretization/fragment_labels.h>
 #include <rift/discretization/fragments.h>
 #include <rift/io/solution_fields.h>
 
@@ -99,13 +100,15 @@ namespace
     const InternalForce force(body.topology,
                               body.reference,
                               laws_of(two_granites()));
-    const auto          fragments = find_fragments(body.topology,
-                                          body.reference,
-                                          densities,
-                                          body.state,
-                                          velocities(body.state),
-                                          communicator)
-                             .of_cell;
+    const auto          fragments =
+      find_fragments(body.topology,
+                     body.reference,
+                     densities,
+                     label_bodies(body.topology, communicator).of_cell,
+                     body.state,
+                     velocities(body.state),
+                     communicator)
+        .of_cell;
     FieldList fields(body.state, 0);
     declare_nodal_fields(fields);
     InternalForce::declare_fields(fields, &force);

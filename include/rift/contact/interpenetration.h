@@ -9,8 +9,10 @@ namespace rift
   /** Cells that lie in each other because nothing holds them apart. */
   struct Interpenetration
   {
-    /** Pairs of cells that share more than a tenth of the smaller one's
-     * volume. */
+    /** Of the volume of the smaller one of two cells; less does not count. */
+    static constexpr double tolerated_part = .1;
+
+    /** Pairs of cells that have more in common. */
     std::uint64_t n_pairs = 0;
 
     /** The largest such part, and a corner of one of the two cells, m. */

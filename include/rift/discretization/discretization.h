@@ -31,6 +31,10 @@ namespace rift
     /** kg/m^3 of each material. */
     std::vector<double> densities;
 
+    /** For each cell slot the piece of the undamaged body that it belongs to;
+     * see label_bodies(). */
+    std::vector<GlobalCellIndex> bodies = {};
+
     /**
      * Cuts faces and splits the nodes that this parts; the new nodes have the
      * motion of the old ones and masses of their own, and are awake.

@@ -54,12 +54,14 @@ namespace rift
    * divided among the ranks. Collective.
    *
    * @param densities kg/m^3 of each material.
+   * @param bodies labels of all cells by label_bodies().
    * @param velocity of each node at the time of `state`, m/s.
    */
   Fragments
   find_fragments(const Topology                     &topology,
                  const ReferenceCellData            &reference,
                  const std::vector<double>          &densities,
+                 const std::vector<GlobalCellIndex> &bodies,
                  const State                        &state,
                  const std::vector<Vector3<double>> &velocity,
                  const Communicator                 &communicator);
