@@ -62,7 +62,6 @@ namespace rift
       }
     index_of_face[face] = static_cast<std::uint32_t>(size());
     infos.push_back({face, state.time, -1, share});
-    ++event_counter;
 
     CohesiveBatch &batch = batches.back();
     batch.n_faces        = lane + 1;
@@ -114,12 +113,8 @@ namespace rift
                (infos[index].failure_time >= 0));
     if (next <= state)
       return;
-    if (next >= FaceState::failed)
-      {
-        ++event_counter;
-        if (state < FaceState::failed)
-          infos[index].failure_time = time;
-      }
+    if (next >= FaceState::failed && state < FaceState::failed)
+      infos[index].failure_time = time;
     state = next;
   }
 
@@ -154,7 +149,7 @@ namespace rift
       contact_interval > 0 && (step + 1) % contact_interval == 0;
     if (!is_contact_due && !any(result))
       return result;
-    SimdMask is_open = broadcast(1) > 0.;
+    SimdMask is_open = largest > contact_opening * contact_opening * size;
     for (const Vector3<Simd> &jump : kinematics.jumps)
       is_open &= jump[0] > 0.;
     for (unsigned int lane = 0; lane < batch_size; ++lane)

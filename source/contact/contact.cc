@@ -89,31 +89,10 @@ namespace rift
     interface.cells    = cell_constants(bound);
     interface.damping  = parameters.damping;
     interface.friction = friction_table();
-    // Whether the sides are bonded or a cohesive element resists their overlap.
-    interface.is_held = [this](const FaceIndex face) {
-      return body.topology.face_states[face] != FaceState::released;
-    };
     if (fracture != nullptr)
-      {
-        CohesiveForce &cracks = fracture->cohesive_force();
-        cracks.leave_failed_faces_to_contact(ContactForce::crack_interval);
-        const CohesiveFaces &faces   = cracks.faces();
-        interface.n_crack_events     = [&faces] { return faces.n_events(); };
-        interface.for_each_open_face = [&faces](const auto &f) {
-          for (std::size_t i = 0; i < faces.size(); ++i)
-            if (faces.has_opened(i))
-              f(faces.infos[i].face);
-        };
-      }
-    else
-      {
-        interface.n_crack_events     = [] { return std::uint64_t(0); };
-        interface.for_each_open_face = [](const auto &) {};
-      }
-    force.emplace(body.topology,
-                  body.state,
-                  body.communicator,
-                  std::move(interface));
+      fracture->cohesive_force().leave_failed_faces_to_contact(
+        ContactForce::look_interval, ContactForce::opening);
+    force.emplace(body.topology, body.communicator, std::move(interface));
   }
 
   std::string

@@ -1,21 +1,20 @@
-#include <rift/base/bytes.h>
 #include <rift/base/check.h>
 #include <rift/base/exceptions.h>
 #include <rift/base/parameter_text.h>
 #include <rift/contact/contact_force.h>
+#include <rift/contact/separation.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace rift
 {
   namespace
   {
-    /** The skin over the harmonic mean of the sizes of surface cells. Thicker
-     * means fewer searches and more pairs to look at in each step. */
-    constexpr double skin_per_size = .2;
+    /** How far a cell may move before its partners are searched for anew, over
+     * its longest edge. More means fewer searches and more pairs. */
+    constexpr double margin_per_size = .1;
 
     double
     longest_edge(const Tetrahedron &t)
@@ -27,34 +26,45 @@ namespace rift
       return longest;
     }
 
+    /** The largest speed of the corners of a cell, m/s; infinite if one is not
+     * a number. */
     double
-    skin_of(const ContactSurface &surface,
-            const Topology       &topology,
-            const State          &state,
-            const Communicator   &communicator)
+    largest_speed(const CellMotion &motion)
     {
-      ExactSum sum;
-      for (const CellIndex cell : surface.cells())
-        sum.add(1 / longest_edge(motion_of(topology, state, cell).positions));
-      ExactSum::sum_over_ranks({&sum}, communicator);
-      const auto number =
-        communicator.sum(static_cast<std::int64_t>(surface.cells().size()));
-      return skin_per_size * number / sum.value();
+      double largest = 0;
+      for (const Vector3<double> &v : motion.velocities)
+        if (const double speed = norm(v); !(speed <= largest))
+          largest = std::isnan(speed) ?
+                      std::numeric_limits<double>::infinity() :
+                      speed;
+      return largest;
+    }
+
+    /** The square of the largest speed of any node here, m^2/s^2. */
+    double
+    largest_speed_squared(const State &state)
+    {
+      double largest = 0;
+      for (const NodalVector &v : state.velocity)
+        largest = std::max(largest, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+      return largest;
     }
   } // namespace
 
   ContactForce::ContactForce(const Topology     &topology,
-                             const State        &state,
                              const Communicator &communicator,
                              Interface           interface)
     : topology(topology)
     , communicator(communicator)
     , interface(std::move(interface))
-    , surface(topology)
-    , skin(skin_of(surface, topology, state, communicator))
-    , rendezvous(communicator, [this](const ContactCell &cell) {
-      return surface.subscribers(this->topology.find_cell(cell.cell));
-    })
+    , surface(topology, opening, FaceState::released)
+    , rendezvous(communicator,
+                 [this](const ContactCell &cell) {
+                   return surface.subscribers(
+                     this->topology.find_cell(cell.cell));
+                 })
+    , surveyed_at(topology.n_cell_slots(), invalid_index)
+    , members(topology, communicator)
   {
     rift_check(this->interface.cells.size() == topology.n_cell_slots());
   }
@@ -77,236 +87,332 @@ namespace rift
   void
   ContactForce::follow(const State &state, const double time_step)
   {
-    if (is_due(state, time_step))
-      search(state, time_step);
-    else
-      exchange_motions(state);
+    const double move = time_step * std::sqrt(largest_speed_squared(state));
+    path += move;
+    std::vector<CellIndex> news;
+    if (!has_searched)
+      news = surface.cells();
+    if (!has_searched || state.step % look_interval == 0)
+      {
+        const std::vector<CellIndex> let_go = surface.look(state, path);
+        news.insert(news.end(), let_go.begin(), let_go.end());
+      }
+    if (!(path + move < next_survey))
+      add_moved(state, time_step, news);
+    if (communicator.any(!has_searched || !news.empty()))
+      search(state, time_step, std::move(news));
+    members.exchange(state);
+    const double told =
+      time_step * std::sqrt(members.largest_told_speed_squared());
+    path += std::max(0., told - move);
+    start_pairs(state);
   }
 
-  bool
-  ContactForce::is_due(const State &state, const double time_step) const
+  void
+  ContactForce::add_moved(const State            &state,
+                          const double            time_step,
+                          std::vector<CellIndex> &news)
   {
-    // In the next step, so that no pair is found too late.
-    double largest = 0;
-    for (std::size_t i = 0; i < searched_cells.size(); ++i)
-      for (unsigned int c = 0; c < n_corners; ++c)
-        {
-          const NodeIndex       node = topology.node(searched_cells[i], c);
-          const Vector3<double> shift =
-            state.position(node) - searched_positions[i][c] +
-            time_step * state.velocity[node].vector();
-          largest = std::max(largest, dot(shift, shift));
-        }
-    const bool has_cracked = state.step % crack_interval == 0 &&
-                             interface.n_crack_events() != n_known_events;
-    return communicator.any(!has_searched || has_cracked ||
-                            largest >= skin * skin / 4);
+    double slack = std::numeric_limits<double>::infinity();
+    for (const Surveyed &s : surveyed)
+      {
+        const CellMotion motion   = motion_of(topology, state, s.cell);
+        double           distance = 0;
+        for (unsigned int c = 0; c < n_corners; ++c)
+          distance =
+            std::max(distance, norm(motion.positions[c] - s.positions[c]));
+        distance += time_step * largest_speed(motion);
+        if (distance <= .5 * s.margin)
+          slack = std::min(slack, s.margin - distance);
+        else
+          news.push_back(s.cell);
+      }
+    next_survey = path + slack;
   }
 
-  std::vector<ContactCell>
-  ContactForce::own_cells(const State                  &state,
-                          const std::vector<CellIndex> &cells) const
+  void
+  ContactForce::refuse_too_fast(const State                  &state,
+                                const double                  time_step,
+                                const std::vector<CellIndex> &cells) const
   {
-    std::vector<ContactCell> result;
-    result.reserve(cells.size());
+    double fastest = 0;
     for (const CellIndex cell : cells)
       {
-        result.push_back(
-          surface.describe(cell, communicator.rank(), interface.is_held));
-        result.back().constants = interface.cells[cell];
-        result.back().motion    = motion_of(topology, state, cell);
+        const CellMotion motion = motion_of(topology, state, cell);
+        const double     speed  = largest_speed(motion);
+        if (!(time_step * speed <= .5 * longest_edge(motion.positions)))
+          fastest = std::max(fastest, speed);
       }
+    fastest = communicator.max(fastest);
+    if (fastest > 0)
+      throw CollectiveError(
+        ExitCode::run_error,
+        "contact: at step " + std::to_string(state.step) +
+          " something moves with " + short_text(fastest) + " m/s, by " +
+          short_text(time_step * fastest) +
+          " m or more than half of a cell in a step. It would pass through "
+          "what it meets. Choose a smaller time step (subsection Time).");
+  }
+
+  ContactCell
+  ContactForce::survey(const State    &state,
+                       const double    time_step,
+                       const CellIndex cell)
+  {
+    ContactCell  result = surface.describe(state, cell, communicator.rank());
+    const double move =
+      time_step * largest_speed(motion_of(topology, state, cell));
+    result.constants = interface.cells[cell];
+    result.margin =
+      std::max(margin_per_size * longest_edge(result.positions), 2 * move);
+    next_survey = std::min(next_survey, path + result.margin - move);
+
+    std::uint32_t &place = surveyed_at[cell];
+    if (place == invalid_index)
+      {
+        place = static_cast<std::uint32_t>(surveyed.size());
+        surveyed.emplace_back();
+      }
+    surveyed[place] = {cell, result.positions, result.margin};
     return result;
   }
 
   void
-  ContactForce::search(const State &state, const double time_step)
+  ContactForce::search(const State           &state,
+                       const double           time_step,
+                       std::vector<CellIndex> news)
   {
-    interface.for_each_open_face(
-      [this](const FaceIndex face) { surface.include(face); });
-    has_searched   = true;
-    n_known_events = interface.n_crack_events();
-    searched_cells = surface.cells();
-    searched_positions.clear();
-    constexpr double infinity      = std::numeric_limits<double>::infinity();
-    double           largest_speed = 0;
-    for (const CellIndex cell : searched_cells)
-      {
-        const CellMotion motion = motion_of(topology, state, cell);
-        searched_positions.push_back(motion.positions);
-        for (const Vector3<double> &v : motion.velocities)
-          if (const double speed = norm(v); !(speed <= largest_speed))
-            largest_speed = std::isnan(speed) ? infinity : speed;
-      }
-    largest_speed     = communicator.max(largest_speed);
-    const double move = time_step * largest_speed;
-    if (move > .5 / skin_per_size * skin)
-      throw CollectiveError(
-        ExitCode::run_error,
-        "contact: at step " + std::to_string(state.step) +
-          " something moves with " + short_text(largest_speed) + " m/s, by " +
-          short_text(move) +
-          " m or more than half of a cell in a step. It would pass through "
-          "what it meets. Choose a smaller time step (subsection Time).");
-    // What moves by half of the skin in a step is searched for in each, farther
-    // off.
-    const double reach = skin + 2 * move;
-    adopt_pairs(rendezvous.search(own_cells(state, searched_cells), reach));
+    has_searched = true;
+    if (rendezvous.needs_all())
+      news = surface.cells();
+    std::sort(news.begin(), news.end());
+    news.erase(std::unique(news.begin(), news.end()), news.end());
+    refuse_too_fast(state, time_step, news);
+    std::vector<ContactCell> cells;
+    for (const CellIndex cell : news)
+      cells.push_back(survey(state, time_step, cell));
+    adopt(rendezvous.update(std::move(cells)));
   }
 
   void
-  ContactForce::adopt_pairs(const ContactNeighbourhood &neighbourhood)
+  ContactForce::adopt(const ContactNeighbourhood &neighbourhood)
   {
-    // Old and new pairs are in the same order.
-    const std::vector<Member> old_members = std::move(members);
-    const std::vector<Pair>   old_pairs   = std::move(pairs);
-    const auto                name_of     = [&](const Pair &pair) {
-      return std::make_pair(old_members[pair.a].cell.cell,
-                            old_members[pair.b].cell.cell);
-    };
-    auto old = old_pairs.begin();
-
-    const std::vector<ContactCell> &cells = neighbourhood.cells;
-    std::vector<std::uint32_t>      member_of(cells.size(), invalid_index);
-    members.clear();
-    pairs.clear();
-    pairs.reserve(neighbourhood.pairs.size());
-    const auto member = [&](const std::uint32_t cell) {
-      if (member_of[cell] == invalid_index)
-        {
-          member_of[cell] = static_cast<std::uint32_t>(members.size());
-          members.push_back(
-            {cells[cell], topology.find_cell(cells[cell].cell)});
-        }
-      return member_of[cell];
-    };
-    for (const BoxPair &found : neighbourhood.pairs)
+    for (const CellPair &found : neighbourhood.pairs)
       {
-        const ContactCell &a = cells[found.first], &b = cells[found.second];
+        const ContactCell &a = neighbourhood.cells[found.a],
+                          &b = neighbourhood.cells[found.b];
         rift_check(a.cell < b.cell && a.owner >= 0 && b.owner >= 0);
-        const auto name = std::make_pair(a.cell, b.cell);
-        while (old != old_pairs.end() && name_of(*old) < name)
-          ++old;
-        Pair pair{};
-        if (old != old_pairs.end() && name_of(*old) == name)
-          pair = *old;
-        else
-          pair.memory.initial_potential =
-            overlap(a.motion.positions, b.motion.positions).potential;
-        pair.a         = member(found.first);
-        pair.b         = member(found.second);
-        pair.constants = {std::min(a.constants.penalty, b.constants.penalty),
-                          interface.friction[a.material][b.material],
-                          interface.damping,
-                          1 / (1 / a.constants.mass + 1 / b.constants.mass)};
+        const CellPair pair = {members.take_in(a), members.take_in(b)};
         rift_check(members[pair.a].local != invalid_index ||
                    members[pair.b].local != invalid_index);
-        pairs.push_back(pair);
+        if (members.connect(pair))
+          born.push_back(pair);
       }
-    subscribe();
+    if (const auto positions = members.tidy(); !positions.empty())
+      {
+        sleeping.renumber(positions);
+        for (ContactPair &pair : in_play)
+          pair.cells = {positions[pair.cells.a], positions[pair.cells.b]};
+        for (CellPair &pair : born)
+          pair = {positions[pair.a], positions[pair.b]};
+      }
+    members.subscribe();
+  }
+
+  ContactPair
+  ContactForce::make_pair(const CellPair &cells) const
+  {
+    const ContactCell &a = members[cells.a].cell, &b = members[cells.b].cell;
+    ContactPair        pair{};
+    pair.cells     = cells;
+    pair.constants = {std::min(a.constants.penalty, b.constants.penalty),
+                      interface.friction[a.material][b.material],
+                      interface.damping,
+                      1 / (1 / a.constants.mass + 1 / b.constants.mass)};
+    return pair;
+  }
+
+  ContactForce::PairName
+  ContactForce::name_of(const CellPair &cells) const
+  {
+    return PairName(members[cells.a].cell.cell) << 32 |
+           members[cells.b].cell.cell;
   }
 
   void
-  ContactForce::subscribe()
+  ContactForce::merge(std::vector<ContactPair> pairs)
   {
-    receivers.clear();
-    senders.clear();
-    std::map<int, std::vector<GlobalCellIndex>> wanted;
-    std::map<int, Partner>                      asked;
-    for (std::uint32_t i = 0; i < members.size(); ++i)
-      if (const int owner = members[i].cell.owner; owner != communicator.rank())
-        {
-          wanted[owner].push_back(members[i].cell.cell);
-          asked[owner].rank = owner;
-          asked[owner].cells.push_back(i);
-        }
-    for (auto &[rank, partner] : asked)
-      senders.push_back(std::move(partner));
-    for (const auto &[rank, cells] : communicator.exchange(wanted))
+    if (pairs.empty())
+      return;
+    const auto comes_before = [this](const ContactPair &x,
+                                     const ContactPair &y) {
+      return name_of(x.cells) < name_of(y.cells);
+    };
+    std::sort(pairs.begin(), pairs.end(), comes_before);
+    const auto n_before = static_cast<std::ptrdiff_t>(in_play.size());
+    in_play.insert(in_play.end(), pairs.begin(), pairs.end());
+    std::inplace_merge(in_play.begin(),
+                       in_play.begin() + n_before,
+                       in_play.end(),
+                       comes_before);
+  }
+
+  void
+  ContactForce::start_pairs(const State &state)
+  {
+    std::vector<SleepingPairs::Woken> pairs;
+    for (const CellPair &pair : born)
       {
-        Partner receiver{rank, {}};
-        for (const GlobalCellIndex cell : cells)
+        members.pack(state, pair);
+        pairs.push_back({pair, no_axis});
+      }
+    born.clear();
+    std::vector<ContactPair> new_pairs;
+    for (const CellPair &pair : put_to_sleep(pairs))
+      {
+        new_pairs.push_back(make_pair(pair));
+        new_pairs.back().memory.initial_potential =
+          kernel.overlap(members.motions(), pair).potential;
+      }
+    merge(std::move(new_pairs));
+  }
+
+  std::vector<CellPair>
+  ContactForce::put_to_sleep(const std::vector<SleepingPairs::Woken> &pairs)
+  {
+    std::vector<CellPair>     cells;
+    std::vector<std::uint8_t> axes;
+    for (const SleepingPairs::Woken &pair : pairs)
+      {
+        cells.push_back(pair.cells);
+        axes.push_back(pair.axis);
+      }
+    std::vector<double> gaps(cells.size());
+    find_gaps(
+      members.motions(), cells.data(), cells.size(), axes.data(), gaps.data());
+
+    std::vector<CellPair> near;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      {
+        // Farther than where they have been searched for, and where they may
+        // have gone since: they will be found again.
+        const double far = 2 * (members[cells[i].a].cell.margin +
+                                members[cells[i].b].cell.margin);
+        if (!(gaps[i] > 0))
+          near.push_back(cells[i]);
+        else if (gaps[i] > far)
+          members.disconnect(cells[i]);
+        else
+          sleeping.add(cells[i], axes[i], path + gaps[i] / 2);
+      }
+    return near;
+  }
+
+  void
+  ContactForce::wake_pairs(const State &state)
+  {
+    const std::vector<SleepingPairs::Woken> woken = sleeping.wake(path);
+    for (const SleepingPairs::Woken &pair : woken)
+      members.pack(state, pair.cells);
+    std::vector<ContactPair> new_pairs;
+    for (const CellPair &pair : put_to_sleep(woken))
+      new_pairs.push_back(make_pair(pair));
+    merge(std::move(new_pairs));
+  }
+
+  void
+  ContactForce::release_parted()
+  {
+    std::vector<SleepingPairs::Woken> parted;
+    for (std::size_t i = 0; i < in_play.size(); ++i)
+      if (!overlaps[i])
+        parted.push_back({in_play[i].cells, no_axis});
+    if (parted.empty())
+      return;
+    const std::vector<CellPair> near = put_to_sleep(parted);
+    auto                        next = near.begin();
+    std::size_t                 n    = 0;
+    for (std::size_t i = 0; i < in_play.size(); ++i)
+      {
+        const CellPair &cells = in_play[i].cells;
+        if (!overlaps[i])
           {
-            receiver.cells.push_back(topology.find_cell(cell));
-            rift_check(receiver.cells.back() != invalid_index &&
-                       topology.owns_cell(receiver.cells.back()));
+            if (next == near.end() || next->a != cells.a || next->b != cells.b)
+              continue;
+            ++next;
           }
-        receivers.push_back(std::move(receiver));
+        in_play[n] = in_play[i];
+        touches[n] = touches[i];
+        ++n;
       }
-  }
-
-  void
-  ContactForce::exchange_motions(const State &state)
-  {
-    for (Member &member : members)
-      if (member.cell.owner == communicator.rank())
-        member.cell.motion = motion_of(topology, state, member.local);
-    std::map<int, std::string> messages;
-    for (const Partner &receiver : receivers)
-      {
-        std::vector<CellMotion> motions;
-        for (const CellIndex cell : receiver.cells)
-          motions.push_back(motion_of(topology, state, cell));
-        messages[receiver.rank] = to_bytes(motions);
-      }
-    std::map<int, std::size_t> sizes;
-    for (const Partner &sender : senders)
-      sizes[sender.rank] = sender.cells.size() * sizeof(CellMotion);
-    const auto received = communicator.exchange(messages, sizes);
-    for (const Partner &sender : senders)
-      {
-        const auto motions = from_bytes<CellMotion>(received.at(sender.rank));
-        rift_check(motions.size() == sender.cells.size());
-        for (std::size_t i = 0; i < motions.size(); ++i)
-          members[sender.cells[i]].cell.motion = motions[i];
-      }
+    in_play.resize(n);
+    touches.resize(n);
   }
 
   std::optional<DeepOverlap>
   ContactForce::add_to(State &state, Activity &activity, const double time_step)
   {
+    wake_pairs(state);
+    for (const ContactPair &pair : in_play)
+      members.pack(state, pair.cells);
+
     energies.elastic = ExactSum();
-    std::optional<DeepOverlap> deep;
-    for (Pair &pair : pairs)
+    overlaps.resize(in_play.size());
+    touches.resize(in_play.size());
+    std::optional<DeepOverlap>                     deep;
+    std::array<PairForces, PairKernel::chunk_size> forces;
+    for (std::size_t begin = 0; begin < in_play.size();
+         begin += PairKernel::chunk_size)
       {
-        const Member       &a = members[pair.a], &b = members[pair.b];
-        const ContactForces forces = pair_forces(a.cell.motion,
-                                                 b.cell.motion,
-                                                 pair.constants,
-                                                 time_step,
-                                                 pair.memory);
-        pair.touches               = forces.energy > 0;
-        if (forces.is_too_deep && !deep)
-          deep = DeepOverlap{a.cell.cell, b.cell.cell};
-        if (a.cell.owner == communicator.rank())
+        const auto n = static_cast<unsigned int>(
+          std::min<std::size_t>(in_play.size() - begin,
+                                PairKernel::chunk_size));
+        kernel.compute(members.motions(),
+                       in_play.data() + begin,
+                       n,
+                       time_step,
+                       forces.data());
+        for (unsigned int i = 0; i < n; ++i)
           {
-            energies.elastic.add(forces.energy);
-            energies.friction.add(forces.friction_loss);
-            energies.damping.add(forces.damping_loss);
+            const CellPair   &cells = in_play[begin + i].cells;
+            const PairForces &f     = forces[i];
+            const ContactCell &a = members[cells.a].cell;
+            overlaps[begin + i] = f.overlaps;
+            touches[begin + i]  = f.energy > 0;
+            if (f.is_too_deep && !deep)
+              deep = DeepOverlap{a.cell, members[cells.b].cell.cell};
+            if (a.owner == communicator.rank())
+              {
+                energies.elastic.add(f.energy);
+                energies.friction.add(f.friction_loss);
+                energies.damping.add(f.damping_loss);
+              }
+            if (!f.touches)
+              continue;
+            add_forces(cells.a, f.on_a, state, activity);
+            add_forces(cells.b, f.on_b, state, activity);
           }
-        if (!forces.touches)
-          continue;
-        add_forces(a, forces.on_a, state, activity);
-        add_forces(b, forces.on_b, state, activity);
       }
+    release_parted();
     return deep;
   }
 
   void
-  ContactForce::add_forces(const Member                         &member,
-                           const std::array<Vector3<double>, 4> &forces,
-                           State                                &state,
-                           Activity                             &activity) const
+  ContactForce::add_forces(const std::uint32_t member,
+                           const NodalVector  *forces,
+                           State              &state,
+                           Activity           &activity) const
   {
-    if (member.local == invalid_index)
+    const CellIndex cell = members[member].local;
+    if (cell == invalid_index)
       return;
+    // Other cells around a node may be asleep though this one is not.
+    const bool has_awake = activity.has_woken_neighbours(cell / batch_size);
     for (unsigned int c = 0; c < n_corners; ++c)
       {
-        const NodeIndex node = topology.node(member.local, c);
-        for (unsigned int d = 0; d < dim; ++d)
-          state.force[node][d] += forces[c][d];
-        // Other cells around the node may be asleep though this one is not.
-        if (!activity.has_woken_neighbours(member.local / batch_size))
+        const NodeIndex node = topology.node(cell, c);
+        state.force[node].row() += forces[c].row();
+        if (!has_awake)
           activity.wake_node(topology, node);
       }
   }
@@ -315,8 +421,8 @@ namespace rift
   ContactForce::count_pairs(const Topology             &topology,
                             std::vector<std::uint32_t> &n) const
   {
-    for (const Pair &pair : pairs)
-      if (const CellIndex a = members[pair.a].local;
+    for (const ContactPair &pair : in_play)
+      if (const CellIndex a = members[pair.cells.a].local;
           a != invalid_index && topology.owns_cell(a))
         ++n[a];
   }
@@ -325,9 +431,9 @@ namespace rift
   ContactForce::count_touching() const
   {
     std::int64_t number = 0;
-    for (const Pair &pair : pairs)
-      number +=
-        pair.touches && members[pair.a].cell.owner == communicator.rank();
+    for (std::size_t i = 0; i < in_play.size(); ++i)
+      number += touches[i] && members[in_play[i].cells.a].cell.owner ==
+                                communicator.rank();
     return static_cast<std::uint64_t>(communicator.sum(number));
   }
 } // namespace rift

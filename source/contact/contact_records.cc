@@ -10,32 +10,19 @@ namespace rift
 {
   namespace
   {
-    /** A pair of cells that may touch, for a checkpoint. */
+    /** What a pair of cells that nothing parts remembers, for a checkpoint. */
     struct PairRecord
     {
       GlobalCellIndex a, b;
       double          initial_potential, slip[dim], stiffness, damping_force;
     };
 
-    /** A cell that took part in the last search, and where it was then. */
-    struct CellRecord
-    {
-      GlobalCellIndex cell;
-      std::uint32_t   padding;
-      double          positions[n_corners][dim];
-    };
   } // namespace
 
   template <>
   struct HasPlainBytes<PairRecord> : std::true_type
   {
     static_assert(sizeof(PairRecord) == 2 * 4 + 6 * 8);
-  };
-
-  template <>
-  struct HasPlainBytes<CellRecord> : std::true_type
-  {
-    static_assert(sizeof(CellRecord) == 2 * 4 + n_corners * dim * 8);
   };
 
   namespace
@@ -49,18 +36,12 @@ namespace rift
              const std::vector<MaterialParameters> &materials)
     {
       Vector3<double> centre{};
-      for (const Vector3<double> &x : cell.motion.positions)
+      for (const Vector3<double> &x : cell.positions)
         centre += .25 * x;
       return "cell " + std::to_string(cell.cell) + " of " +
              materials[cell.material].name + " at (" + short_text(centre[0]) +
              ", " + short_text(centre[1]) + ", " + short_text(centre[2]) +
              ") m";
-    }
-
-    double
-    volume(const Tetrahedron &t)
-    {
-      return dot(t[1] - t[0], cross(t[2] - t[0], t[3] - t[0])) / 6;
     }
   } // namespace
 
@@ -69,19 +50,16 @@ namespace rift
     const std::vector<MaterialParameters> &materials) const
   {
     communicator.collectively([&] {
-      for (const Pair &pair : pairs)
+      OverlapBatch batch;
+      for (const ContactPair &pair : in_play)
         {
-          const ContactCell &a = members[pair.a].cell,
-                            &b = members[pair.b].cell;
-          const double common =
-            overlap(a.motion.positions, b.motion.positions).volume;
-          const double smaller =
-            std::min(volume(a.motion.positions), volume(b.motion.positions));
-          if (common > largest_overlap_at_start * smaller)
+          const auto common = batch.overlap(members.motions(), pair.cells);
+          if (common.volume_fraction > largest_overlap_at_start)
             throw InputError("bodies lie in each other at the start: " +
-                             describe(a, materials) + " and " +
-                             describe(b, materials) + " have " +
-                             short_text(common) +
+                             describe(members[pair.cells.a].cell, materials) +
+                             " and " +
+                             describe(members[pair.cells.b].cell, materials) +
+                             " have " + short_text(common.volume) +
                              " m^3 in common. Move them apart in the mesh, or "
                              "set \"Contact = false\" in subsection Contact.");
         }
@@ -91,14 +69,14 @@ namespace rift
   void
   ContactForce::save(Archive &archive) const
   {
-    std::vector<PairRecord> pair_records;
-    for (const Pair &pair : pairs)
+    std::vector<PairRecord> records;
+    for (const ContactPair &pair : in_play)
       {
-        const ContactCell &a = members[pair.a].cell;
+        const ContactCell &a = members[pair.cells.a].cell;
         if (a.owner != communicator.rank())
           continue;
         PairRecord record{a.cell,
-                          members[pair.b].cell.cell,
+                          members[pair.cells.b].cell.cell,
                           pair.memory.initial_potential,
                           {},
                           pair.memory.stiffness,
@@ -106,27 +84,10 @@ namespace rift
         std::copy(pair.memory.slip.begin(),
                   pair.memory.slip.end(),
                   record.slip);
-        pair_records.push_back(record);
+        records.push_back(record);
       }
-    archive.write_list("contact: pairs", pair_records);
-
-    std::vector<CellRecord> cell_records;
-    for (std::size_t i = 0; i < searched_cells.size(); ++i)
-      {
-        CellRecord record{topology.cell_global_indices[searched_cells[i]],
-                          0,
-                          {}};
-        for (unsigned int c = 0; c < n_corners; ++c)
-          std::copy(searched_positions[i][c].begin(),
-                    searched_positions[i][c].end(),
-                    record.positions[c]);
-        cell_records.push_back(record);
-      }
-    archive.write_list("contact: searched cells", cell_records);
-    const bool has_changed =
-      communicator.any(interface.n_crack_events() != n_known_events);
-    archive.write_value<std::uint64_t>("contact: cracks have changed",
-                                       has_changed ? 1 : 0);
+    archive.write_list("contact: pairs", records);
+    surface.save(archive);
     archive.write_sum("contact: friction", energies.friction);
     archive.write_sum("contact: damping", energies.damping);
   }
@@ -134,56 +95,23 @@ namespace rift
   void
   ContactForce::load(const State &state, const Archive &archive)
   {
-    has_searched = true;
-    n_known_events =
-      interface.n_crack_events() -
-      archive.read_value<std::uint64_t>("contact: cracks have changed");
     energies.friction = archive.read_sum("contact: friction");
     energies.damping  = archive.read_sum("contact: damping");
-    // Ranks may have had any cells.
-    auto sorted_cells =
-      archive.read_list<CellRecord>("contact: searched cells");
-    std::sort(sorted_cells.begin(),
-              sorted_cells.end(),
-              [](const auto &x, const auto &y) { return x.cell < y.cell; });
-    for (const CellRecord &record : sorted_cells)
-      {
-        const CellIndex cell = topology.find_cell(record.cell);
-        if (cell == invalid_index || !topology.owns_cell(cell))
-          continue;
-        surface.include_cell(cell);
-        searched_cells.push_back(cell);
-        Tetrahedron positions;
-        for (unsigned int c = 0; c < n_corners; ++c)
-          std::copy(std::begin(record.positions[c]),
-                    std::end(record.positions[c]),
-                    positions[c].begin());
-        searched_positions.push_back(positions);
-      }
+    surface.load(state, archive);
+    search(state, 0, surface.cells());
+    members.exchange(state);
+    start_pairs(state);
 
-    auto sorted = archive.read_list<PairRecord>("contact: pairs");
-    std::sort(sorted.begin(), sorted.end(), [](const auto &x, const auto &y) {
-      return std::make_pair(x.a, x.b) < std::make_pair(y.a, y.b);
-    });
-    std::vector<Rendezvous::NamedPair> names;
-    for (const PairRecord &record : sorted)
-      names.emplace_back(record.a, record.b);
-    adopt_pairs(rendezvous.join(own_cells(state, searched_cells), names));
-    auto record = sorted.begin();
-    for (Pair &pair : pairs)
-      {
-        record = std::find_if(record, sorted.end(), [&](const auto &r) {
-          return r.a == members[pair.a].cell.cell &&
-                 r.b == members[pair.b].cell.cell;
-        });
-        if (record == sorted.end())
-          throw std::logic_error("a restored pair has no record");
-        pair.memory.initial_potential = record->initial_potential;
-        pair.memory.stiffness         = record->stiffness;
-        pair.memory.damping_force     = record->damping_force;
-        std::copy(std::begin(record->slip),
-                  std::end(record->slip),
-                  pair.memory.slip.begin());
-      }
+    std::unordered_map<PairName, ContactMemory> memories;
+    for (const PairRecord &record :
+         archive.read_list<PairRecord>("contact: pairs"))
+      memories[PairName(record.a) << 32 | record.b] = {
+        record.initial_potential,
+        {{record.slip[0], record.slip[1], record.slip[2]}},
+        record.stiffness,
+        record.damping_force};
+    // Others have met since their forces were computed last.
+    for (ContactPair &pair : in_play)
+      pair.memory = memories[name_of(pair.cells)];
   }
 } // namespace rift

@@ -1,4 +1,3 @@
-#include <rift/base/check.h>
 #include <rift/contact/contact_surface.h>
 #include <rift/mesh/mesh_data.h>
 
@@ -16,52 +15,79 @@ namespace rift
              faces.end();
     }
 
-    /** The same on all ranks that know all cells around the vertex. */
-    std::uint64_t
-    name_of_node(const Topology    &topology,
-                 const CellIndex    cell,
-                 const unsigned int corner)
+    /** A face that has been let go of since the last look, for a checkpoint. */
+    struct FaceRecord
     {
-      const NodeIndex   node   = topology.node(cell, corner);
-      const VertexIndex vertex = topology.node_vertices[node];
-      auto              other  = topology.vertex_cells_first(vertex);
-      while (topology.node(*other, topology.corner_at_vertex(*other, vertex)) !=
-             node)
-        {
-          ++other;
-          rift_check(other != topology.vertex_cells_last(vertex));
-        }
-      return n_corners * std::uint64_t(topology.cell_global_indices[*other]) +
-             topology.corner_at_vertex(*other, vertex);
-    }
+      GlobalCellIndex cell;
+      std::uint32_t   local_face;
+    };
   } // namespace
 
-  ContactSurface::ContactSurface(const Topology &topology)
+  template <>
+  struct HasPlainBytes<FaceRecord> : std::true_type
+  {
+    static_assert(sizeof(FaceRecord) == 2 * 4);
+  };
+
+  ContactSurface::ContactSurface(const Topology &topology,
+                                 const double    opening,
+                                 const FaceState first_free)
     : topology(topology)
+    , first_free(first_free)
     , is_member(topology.n_cell_slots())
+    , face_states(topology.faces.size(), FaceState::intact)
+    , groups(topology, opening)
   {
     for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
-      if (is_on_surface(topology, cell))
-        include_cell(cell);
+      is_member[cell] =
+        topology.owns_cell(cell) && is_on_surface(topology, cell);
+  }
+
+  std::vector<CellIndex>
+  ContactSurface::look(const State &state, const double path)
+  {
+    std::vector<CellIndex> news;
+    for (FaceIndex face = 0; face < face_states.size(); ++face)
+      if (const FaceState now = topology.face_states[face];
+          now != face_states[face])
+        {
+          const FaceState before = face_states[face];
+          face_states[face]      = now;
+          groups.watch(state, face);
+          if (now >= first_free && before < first_free)
+            include_beside(face, news);
+        }
+    for (const VertexIndex vertex : groups.divide(state, path))
+      include_around(vertex, news);
+    std::sort(news.begin(), news.end());
+    news.erase(std::unique(news.begin(), news.end()), news.end());
+    return news;
   }
 
   void
-  ContactSurface::include(const FaceIndex face)
+  ContactSurface::include(const CellIndex cell, std::vector<CellIndex> &news)
   {
-    const Face &f = topology.faces[face];
-    for (const unsigned int corner : face_corners[f.local_faces[0]])
-      {
-        const VertexIndex vertex = topology.vertex(f.cells[0], corner);
-        std::for_each(topology.vertex_cells_first(vertex),
-                      topology.vertex_cells_last(vertex),
-                      [this](const CellIndex cell) { include_cell(cell); });
-      }
+    if (!topology.owns_cell(cell))
+      return;
+    is_member[cell] = 1;
+    news.push_back(cell);
   }
 
   void
-  ContactSurface::include_cell(const CellIndex cell)
+  ContactSurface::include_around(const VertexIndex       vertex,
+                                 std::vector<CellIndex> &news)
   {
-    is_member[cell] = topology.owns_cell(cell);
+    std::for_each(topology.vertex_cells_first(vertex),
+                  topology.vertex_cells_last(vertex),
+                  [&](const CellIndex cell) { include(cell, news); });
+  }
+
+  void
+  ContactSurface::include_beside(const FaceIndex         face,
+                                 std::vector<CellIndex> &news)
+  {
+    for (const CellIndex cell : topology.faces[face].cells)
+      include(cell, news);
   }
 
   std::vector<CellIndex>
@@ -75,22 +101,25 @@ namespace rift
   }
 
   ContactCell
-  ContactSurface::describe(const CellIndex cell,
-                           const int       owner,
-                           const IsHeld   &is_held) const
+  ContactSurface::describe(const State    &state,
+                           const CellIndex cell,
+                           const int       owner) const
   {
     ContactCell result{};
-    result.cell     = topology.cell_global_indices[cell];
-    result.owner    = owner;
-    result.material = topology.material(cell);
+    result.cell      = topology.cell_global_indices[cell];
+    result.owner     = owner;
+    result.material  = topology.material(cell);
+    result.positions = positions_of(topology, state, cell);
     for (unsigned int c = 0; c < n_corners; ++c)
       {
-        result.nodes[c]      = name_of_node(topology, cell, c);
+        result.groups[c]     = groups.name(cell, c);
+        result.behind[c]     = invalid_index;
         const FaceIndex face = topology.cell_faces[cell][c];
-        result.bonded[c] =
-          face != invalid_index && is_held(face) ?
-            topology.cell_global_indices[topology.neighbour(face, cell)] :
-            invalid_index;
+        if (face == invalid_index)
+          continue;
+        result.behind[c] =
+          topology.cell_global_indices[topology.neighbour(face, cell)];
+        result.is_held[c] = face_states[face] < first_free;
       }
     return result;
   }
@@ -112,16 +141,61 @@ namespace rift
     return ranks;
   }
 
+  void
+  ContactSurface::save(Archive &archive) const
+  {
+    groups.save(archive);
+    std::vector<FaceRecord> records;
+    for (FaceIndex face = 0; face < face_states.size(); ++face)
+      if (topology.owns_face(face) && face_states[face] < first_free &&
+          topology.face_states[face] >= first_free)
+        {
+          const FaceName name = topology.face_name(face);
+          records.push_back({name.cell, name.local_face});
+        }
+    archive.write_list("contact: faces let go of since the last look", records);
+  }
+
+  void
+  ContactSurface::load(const State &state, const Archive &archive)
+  {
+    groups.load(archive);
+    face_states = topology.face_states;
+    for (const FaceRecord &record : archive.read_list<FaceRecord>(
+           "contact: faces let go of since the last look"))
+      if (const FaceIndex face =
+            topology.find_face({record.cell, record.local_face});
+          face != invalid_index)
+        face_states[face] = FaceState::intact;
+
+    std::vector<CellIndex> news;
+    for (FaceIndex face = 0; face < face_states.size(); ++face)
+      {
+        if (face_states[face] != FaceState::intact)
+          groups.watch(state, face);
+        if (face_states[face] >= first_free)
+          include_beside(face, news);
+      }
+    for (const VertexIndex vertex : groups.divided_vertices())
+      include_around(vertex, news);
+  }
+
+  Tetrahedron
+  positions_of(const Topology &topology, const State &state, const CellIndex cell)
+  {
+    Tetrahedron positions;
+    for (unsigned int c = 0; c < n_corners; ++c)
+      positions[c] = state.position(topology.node(cell, c));
+    return positions;
+  }
+
   CellMotion
   motion_of(const Topology &topology, const State &state, const CellIndex cell)
   {
-    CellMotion motion;
+    CellMotion motion{positions_of(topology, state, cell), {}};
     for (unsigned int c = 0; c < n_corners; ++c)
-      {
-        const NodeIndex node = topology.node(cell, c);
-        motion.positions[c]  = state.position(node);
-        motion.velocities[c] = state.velocity[node].vector();
-      }
+      motion.velocities[c] =
+        state.velocity[topology.node(cell, c)].vector();
     return motion;
   }
 } // namespace rift

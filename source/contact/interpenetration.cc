@@ -10,22 +10,17 @@ namespace rift
 {
   namespace
   {
+    /** The cells of this rank whose outsides may have met. */
     std::vector<ContactCell>
     surface_cells(const Topology &topology, const State &state, const int rank)
     {
-      ContactSurface surface(topology);
-      const auto     is_held = [&](const FaceIndex face) {
-        return topology.face_states[face] < FaceState::failed;
-      };
-      for (FaceIndex face = 0; face < topology.faces.size(); ++face)
-        if (!is_held(face))
-          surface.include(face);
+      ContactSurface surface(topology, 0, FaceState::failed);
+      surface.look(state, 0);
       std::vector<ContactCell> cells;
       for (const CellIndex cell : surface.cells())
         {
-          cells.push_back(surface.describe(cell, rank, is_held));
-          cells.back().constants = {0, 0, invalid_index};
-          cells.back().motion    = motion_of(topology, state, cell);
+          cells.push_back(surface.describe(state, cell, rank));
+          cells.back().constants.body = invalid_index;
         }
       return cells;
     }
@@ -52,7 +47,7 @@ namespace rift
       return std::vector<int>{rank};
     });
     const ContactNeighbourhood found =
-      rendezvous.search(surface_cells(topology, state, rank), 0);
+      rendezvous.update(surface_cells(topology, state, rank));
 
     struct Deepest
     {
@@ -66,18 +61,18 @@ namespace rift
     };
     Deepest      deepest{0, invalid_index, invalid_index, {}};
     std::int64_t n_pairs = 0;
-    for (const BoxPair &pair : found.pairs)
+    OverlapBatch batch;
+    for (const CellPair &pair : found.pairs)
       {
-        const ContactCell &a = found.cells[pair.first],
-                          &b = found.cells[pair.second];
+        const ContactCell &a = found.cells[pair.a], &b = found.cells[pair.b];
         if (a.owner != rank)
           continue;
         const double part =
-          overlap(a.motion.positions, b.motion.positions).volume_fraction;
+          batch.overlap(a.positions, b.positions).volume_fraction;
         if (part <= Interpenetration::tolerated_part)
           continue;
         ++n_pairs;
-        const Deepest here{part, a.cell, b.cell, a.motion.positions[0]};
+        const Deepest here{part, a.cell, b.cell, a.positions[0]};
         if (is_deeper(here, deepest))
           deepest = here;
       }

@@ -8,26 +8,6 @@ namespace rift
 {
   namespace
   {
-    /** Space is divided anew when the rank with most cells has so many times
-     * what it had when that was done last. */
-    constexpr double largest_growth = 1.5;
-
-    bool
-    comes_before(const ContactCell &cell, const GlobalCellIndex name)
-    {
-      return cell.cell < name;
-    }
-
-    /** Where a cell that is there stands. */
-    std::uint32_t
-    position_of(const GlobalCellIndex           name,
-                const std::vector<ContactCell> &cells)
-    {
-      return static_cast<std::uint32_t>(
-        std::lower_bound(cells.begin(), cells.end(), name, comes_before) -
-        cells.begin());
-    }
-
     /** Whether cells ascend by name and occur once. */
     bool
     do_ascend(const std::vector<ContactCell> &cells)
@@ -38,43 +18,53 @@ namespace rift
       return true;
     }
 
-    /** Whether a cell is at a position. */
     bool
-    is_at(const std::uint32_t             position,
-          const GlobalCellIndex           name,
-          const std::vector<ContactCell> &cells)
+    comes_before(const CellPair &x, const CellPair &y)
     {
-      return position < cells.size() && cells[position].cell == name;
+      return x.a != y.a ? x.a < y.a : x.b < y.b;
     }
 
     /** Whether pairs ascend and occur once, each with its first cell first. */
     bool
-    do_ascend(const std::vector<BoxPair> &pairs)
+    do_ascend(const std::vector<CellPair> &pairs)
     {
       for (std::size_t i = 0; i < pairs.size(); ++i)
-        if (pairs[i].first >= pairs[i].second ||
-            (i > 0 && !(pairs[i - 1] < pairs[i])))
+        if (pairs[i].a >= pairs[i].b ||
+            (i > 0 && !comes_before(pairs[i - 1], pairs[i])))
           return false;
       return true;
     }
 
-    /** Some pairs and the cells in them. */
+    /** Some pairs of guests, by name. */
     ContactNeighbourhood
-    select(const std::vector<ContactCell> &cells,
-           const std::vector<BoxPair>     &pairs)
+    select(const ContactSpace &space, const std::vector<CellPair> &pairs)
     {
-      std::vector<std::uint32_t> position(cells.size(), invalid_index);
-      for (const BoxPair &pair : pairs)
-        position[pair.first] = position[pair.second] = 0;
+      std::vector<std::uint32_t> numbers;
+      for (const CellPair &pair : pairs)
+        {
+          numbers.push_back(pair.a);
+          numbers.push_back(pair.b);
+        }
+      const auto name = [&](const std::uint32_t number) {
+        return space.guest(number).cell.cell;
+      };
+      const auto is_before = [&](const std::uint32_t x, const std::uint32_t y) {
+        return name(x) < name(y);
+      };
+      std::sort(numbers.begin(), numbers.end(), is_before);
+      numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+      const auto position = [&](const std::uint32_t number) {
+        return static_cast<std::uint32_t>(
+          std::lower_bound(
+            numbers.begin(), numbers.end(), number, is_before) -
+          numbers.begin());
+      };
       ContactNeighbourhood result;
-      for (std::size_t i = 0; i < cells.size(); ++i)
-        if (position[i] != invalid_index)
-          {
-            position[i] = static_cast<std::uint32_t>(result.cells.size());
-            result.cells.push_back(cells[i]);
-          }
-      for (const BoxPair &pair : pairs)
-        result.pairs.push_back({position[pair.first], position[pair.second]});
+      for (const std::uint32_t number : numbers)
+        result.cells.push_back(space.guest(number).cell);
+      for (const CellPair &pair : pairs)
+        result.pairs.push_back({position(pair.a), position(pair.b)});
+      std::sort(result.pairs.begin(), result.pairs.end(), comes_before);
       return result;
     }
 
@@ -82,33 +72,34 @@ namespace rift
     ContactNeighbourhood
     merge_neighbourhoods(const std::vector<ContactNeighbourhood> &parts)
     {
-      std::vector<const ContactCell *> found;
-      for (const ContactNeighbourhood &part : parts)
-        for (const ContactCell &cell : part.cells)
-          found.push_back(&cell);
-      std::sort(found.begin(), found.end(), [](const auto *a, const auto *b) {
-        return a->cell < b->cell;
-      });
       ContactNeighbourhood result;
       auto                &cells = result.cells;
-      for (const ContactCell *cell : found)
-        if (cells.empty() || cells.back().cell != cell->cell)
-          cells.push_back(*cell);
-
       for (const ContactNeighbourhood &part : parts)
-        {
-          std::vector<std::uint32_t> position;
-          for (const ContactCell &cell : part.cells)
-            {
-              position.push_back(position_of(cell.cell, cells));
-              rift_check(is_at(position.back(), cell.cell, cells));
-            }
-          for (const BoxPair &pair : part.pairs)
-            result.pairs.push_back(
-              {position[pair.first], position[pair.second]});
-        }
-      result.pairs = sort_pairs(result.pairs, cells.size());
-      rift_check(do_ascend(result.cells) && do_ascend(result.pairs));
+        cells.insert(cells.end(), part.cells.begin(), part.cells.end());
+      std::sort(cells.begin(), cells.end(), [](const auto &a, const auto &b) {
+        return a.cell < b.cell;
+      });
+      cells.erase(std::unique(cells.begin(),
+                              cells.end(),
+                              [](const auto &a, const auto &b) {
+                                return a.cell == b.cell;
+                              }),
+                  cells.end());
+      const auto position = [&cells](const ContactCell &cell) {
+        return static_cast<std::uint32_t>(
+          std::lower_bound(cells.begin(),
+                           cells.end(),
+                           cell,
+                           [](const auto &a, const auto &b) {
+                             return a.cell < b.cell;
+                           }) -
+          cells.begin());
+      };
+      for (const ContactNeighbourhood &part : parts)
+        for (const CellPair &pair : part.pairs)
+          result.pairs.push_back(
+            {position(part.cells[pair.a]), position(part.cells[pair.b])});
+      std::sort(result.pairs.begin(), result.pairs.end(), comes_before);
       return result;
     }
   } // namespace
@@ -126,146 +117,110 @@ namespace rift
     std::vector<Vector3<double>> centres;
     for (const ContactCell &cell : own)
       {
-        const Box box = box_around(cell.motion.positions, 0);
+        const Box box = box_around(cell);
         centres.push_back(.5 * (box.lower + box.upper));
       }
     division = divide_space(centres, communicator);
+    space.clear();
+    places.clear();
   }
 
   ContactNeighbourhood
-  Rendezvous::search(std::vector<ContactCell> own, const double skin)
+  Rendezvous::update(std::vector<ContactCell> news)
   {
-    rift_check(do_ascend(own));
+    rift_check(do_ascend(news));
+    const bool is_new = needs_all();
+    if (is_new && communicator.size() > 1)
+      divide(news);
+    std::vector<ContactSpace::Guest> guests =
+      send_to_space_owners(std::move(news));
+    std::vector<CellPair> pairs;
+    communicator.collectively([&] {
+      pairs = space.update(std::move(guests), division, communicator.rank());
+    });
+    if (communicator.size() > 1)
+      largest_number = communicator.max(static_cast<double>(space.size()));
+    if (is_new)
+      largest_number_at_first = std::max(1., largest_number);
+
+    ContactNeighbourhood result = communicator.size() > 1 ?
+                                    return_pairs(pairs) :
+                                    select(space, pairs);
+    rift_check(do_ascend(result.cells) && do_ascend(result.pairs));
+    return result;
+  }
+
+  std::vector<ContactSpace::Guest>
+  Rendezvous::send_to_space_owners(std::vector<ContactCell> news)
+  {
+    std::vector<ContactSpace::Guest> guests;
     if (communicator.size() == 1)
       {
-        std::vector<BoxPair> pairs = find_candidates(own, skin, division, 0);
-        rift_check(do_ascend(pairs));
-        return {std::move(own), std::move(pairs)};
+        for (ContactCell &cell : news)
+          guests.push_back({std::move(cell), {0}});
+        return guests;
       }
-
-    const bool is_new =
-      !(largest_number < largest_growth * largest_number_at_first);
-    if (is_new)
-      divide(own);
-    const ReceivedCells received =
-      send_to_space_owners(own, [&](const ContactCell &cell) {
-        return division.ranks_of(box_around(cell.motion.positions, skin / 2));
-      });
-    largest_number = communicator.max(received.cells.size());
-    if (is_new)
-      largest_number_at_first = largest_number;
-
-    std::vector<BoxPair> pairs;
-    communicator.collectively([&] {
-      pairs =
-        find_candidates(received.cells, skin, division, communicator.rank());
-    });
-    return return_pairs(received, pairs);
-  }
-
-  ContactNeighbourhood
-  Rendezvous::join(const std::vector<ContactCell> &own,
-                   const std::vector<NamedPair>   &pairs) const
-  {
-    rift_check(do_ascend(own));
-    // The two cells of a pair meet at a rank that follows from their names.
-    const auto place_of = [this](const NamedPair &pair) {
-      return static_cast<int>(pair.first % communicator.size());
-    };
-    std::map<GlobalCellIndex, std::vector<int>> places;
-    for (const NamedPair &pair : pairs)
-      for (const GlobalCellIndex cell : {pair.first, pair.second})
-        {
-          const std::uint32_t position = position_of(cell, own);
-          if (position < own.size() && own[position].cell == cell)
-            places[cell].push_back(place_of(pair));
-        }
-    for (auto &[cell, ranks] : places)
-      {
-        std::sort(ranks.begin(), ranks.end());
-        ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
-      }
-
-    const ReceivedCells received =
-      send_to_space_owners(own, [&](const ContactCell &cell) {
-        const auto found = places.find(cell.cell);
-        return found == places.end() ? std::vector<int>() : found->second;
-      });
-    std::vector<BoxPair> own_pairs;
-    for (const NamedPair &pair : pairs)
-      if (place_of(pair) == communicator.rank())
-        {
-          own_pairs.push_back({position_of(pair.first, received.cells),
-                               position_of(pair.second, received.cells)});
-          rift_check(
-            is_at(own_pairs.back().first, pair.first, received.cells) &&
-            is_at(own_pairs.back().second, pair.second, received.cells));
-        }
-    return return_pairs(received, own_pairs);
-  }
-
-  Rendezvous::ReceivedCells
-  Rendezvous::send_to_space_owners(const std::vector<ContactCell> &own,
-                                   const Destinations &destinations) const
-  {
     std::map<int, std::vector<ContactCell>> cells;
     // Of each cell the number of those who see it, and these.
     std::map<int, std::vector<int>> views;
-    for (const ContactCell &cell : own)
-      for (const int place : destinations(cell))
-        {
-          cells[place].push_back(cell);
-          const std::vector<int> ranks = subscribers(cell);
-          std::vector<int>      &view  = views[place];
-          view.push_back(static_cast<int>(ranks.size()));
-          view.insert(view.end(), ranks.begin(), ranks.end());
-        }
-
-    const auto                    new_cells = communicator.exchange(cells);
-    std::vector<std::vector<int>> new_viewers;
-    for (const auto &[rank, message] : communicator.exchange(views))
-      for (auto i = message.begin(); i != message.end(); i += 1 + *i)
-        new_viewers.emplace_back(i + 1, i + 1 + *i);
-    std::vector<std::pair<const ContactCell *, std::vector<int> *>> order;
-    for (const auto &[rank, message] : new_cells)
-      for (const ContactCell &cell : message)
-        order.emplace_back(&cell, &new_viewers[order.size()]);
-    rift_check(order.size() == new_viewers.size());
-    std::sort(order.begin(), order.end(), [](const auto &a, const auto &b) {
-      return a.first->cell < b.first->cell;
-    });
-    ReceivedCells received;
-    received.cells.reserve(order.size());
-    for (const auto &[cell, ranks] : order)
+    for (const ContactCell &cell : news)
       {
-        received.cells.push_back(*cell);
-        rift_check(std::is_sorted(ranks->begin(), ranks->end()));
-        received.subscribers.push_back(std::move(*ranks));
+        std::vector<int>       now   = division.ranks_of(box_around(cell));
+        std::vector<int>      &place = places[cell.cell];
+        std::vector<int>       told;
+        std::set_union(now.begin(),
+                       now.end(),
+                       place.begin(),
+                       place.end(),
+                       std::back_inserter(told));
+        const std::vector<int> ranks = subscribers(cell);
+        rift_check(std::is_sorted(ranks.begin(), ranks.end()));
+        for (const int rank : told)
+          {
+            cells[rank].push_back(cell);
+            std::vector<int> &view = views[rank];
+            view.push_back(static_cast<int>(ranks.size()));
+            view.insert(view.end(), ranks.begin(), ranks.end());
+          }
+        place = std::move(now);
       }
-    rift_check(do_ascend(received.cells));
-    return received;
+
+    const auto new_cells = communicator.exchange(cells);
+    const auto new_views = communicator.exchange(views);
+    for (const auto &[rank, message] : new_cells)
+      {
+        auto view = new_views.at(rank).begin();
+        for (const ContactCell &cell : message)
+          {
+            guests.push_back({cell, {view + 1, view + 1 + *view}});
+            view += 1 + *view;
+          }
+      }
+    return guests;
   }
 
   ContactNeighbourhood
-  Rendezvous::return_pairs(const ReceivedCells        &received,
-                           const std::vector<BoxPair> &pairs) const
+  Rendezvous::return_pairs(const std::vector<CellPair> &pairs) const
   {
-    std::map<int, std::vector<BoxPair>> concerned;
-    for (const BoxPair &pair : pairs)
+    std::map<int, std::vector<CellPair>> concerned;
+    for (const CellPair &pair : pairs)
       {
-        const auto &of_first  = received.subscribers[pair.first],
-                   &of_second = received.subscribers[pair.second];
-        for (const int rank : of_first)
+        std::vector<int> ranks;
+        const auto      &of_a = space.guest(pair.a).subscribers,
+                   &of_b      = space.guest(pair.b).subscribers;
+        std::set_union(of_a.begin(),
+                       of_a.end(),
+                       of_b.begin(),
+                       of_b.end(),
+                       std::back_inserter(ranks));
+        for (const int rank : ranks)
           concerned[rank].push_back(pair);
-        for (const int rank : of_second)
-          if (!std::binary_search(of_first.begin(), of_first.end(), rank))
-            concerned[rank].push_back(pair);
       }
     std::map<int, std::vector<ContactCell>> cells;
-    std::map<int, std::vector<BoxPair>>     told;
-    for (auto &[rank, of_rank] : concerned)
+    std::map<int, std::vector<CellPair>>    told;
+    for (const auto &[rank, of_rank] : concerned)
       {
-        ContactNeighbourhood part = select(received.cells, of_rank);
+        ContactNeighbourhood part = select(space, of_rank);
         cells[rank]               = std::move(part.cells);
         told[rank]                = std::move(part.pairs);
       }

@@ -4,6 +4,7 @@
 #include <rift/base/exceptions.h>
 #include <rift/contact/background_octree.h>
 #include <rift/contact/rendezvous.h>
+#include <rift/contact/separation.h>
 
 #include <gtest/gtest.h>
 #include <p4est.h>
@@ -23,6 +24,9 @@ namespace
   }
 
   constexpr double skin = .02;
+
+  /** Global indices of two cells, the smaller first. */
+  using NamedPair = std::pair<GlobalCellIndex, GlobalCellIndex>;
 
   /** Cells of all ranks, with owners at random; the same on all ranks. */
   class Cloud
@@ -48,24 +52,27 @@ namespace
             {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}}};
           for (unsigned int c = 0; c < n_corners; ++c)
             {
-              cell.motion.positions[c] = centre + edge * reference[c];
-              cell.nodes[c]            = n_corners * cell.cell + c;
-              cell.bonded[c]           = invalid_index;
+              cell.positions[c] = centre + edge * reference[c];
+              cell.groups[c]    = n_corners * cell.cell + c;
+              cell.behind[c]    = invalid_index;
             }
+          cell.margin = skin * uniform(engine);
           // Some cells are bonded.
           if (i % 5 > 0)
-            cell.nodes[2] = all.back().nodes[i % 4];
+            cell.groups[2] = all.back().groups[i % 4];
           all.push_back(cell);
         }
     }
 
+    /** Cells of this rank; empty: all. */
     std::vector<ContactCell>
-    own() const
+    own(const std::vector<bool> &is_chosen = {}) const
     {
       std::vector<ContactCell> result;
-      for (const ContactCell &cell : all)
-        if (cell.owner == world().rank())
-          result.push_back(cell);
+      for (std::size_t i = 0; i < all.size(); ++i)
+        if (all[i].owner == world().rank() &&
+            (is_chosen.empty() || is_chosen[i]))
+          result.push_back(all[i]);
       return result;
     }
 
@@ -89,22 +96,26 @@ namespace
       return std::count(ranks.begin(), ranks.end(), world().rank()) > 0;
     }
 
-    /** Pairs of which this rank sees a cell, one by one. */
-    std::vector<Rendezvous::NamedPair>
-    brute_force() const
+    /** Pairs of which this rank sees a cell, and one is new, one by one; empty
+     * lists: all. */
+    std::vector<NamedPair>
+    brute_force(const std::vector<bool> &is_there = {},
+                const std::vector<bool> &is_new   = {}) const
     {
-      std::vector<Rendezvous::NamedPair> pairs;
+      std::vector<NamedPair> pairs;
       for (std::size_t i = 0; i < all.size(); ++i)
         for (std::size_t j = i + 1; j < all.size(); ++j)
           {
             const ContactCell &a = all[i], &b = all[j];
+            if (!is_new.empty() && !(is_there[i] && is_there[j] &&
+                                     (is_new[i] || is_new[j])))
+              continue;
             if ((is_seen(a) || is_seen(b)) && !are_bonded(a, b) &&
-                boxes_overlap(box_around(a.motion.positions, skin / 2),
-                              box_around(b.motion.positions, skin / 2)) &&
-                FacePlanes(a.motion.positions)
-                    .distance_to(b.motion.positions) <= skin &&
-                FacePlanes(b.motion.positions)
-                    .distance_to(a.motion.positions) <= skin)
+                boxes_overlap(box_around(a), box_around(b)) &&
+                FacePlanes(a.positions).distance_to(b.positions) <=
+                  a.margin + b.margin &&
+                FacePlanes(b.positions).distance_to(a.positions) <=
+                  a.margin + b.margin)
               pairs.emplace_back(a.cell, b.cell);
           }
       return pairs;
@@ -114,8 +125,20 @@ namespace
     move(const double by, const double stretch)
     {
       for (ContactCell &cell : all)
-        for (Vector3<double> &x : cell.motion.positions)
+        for (Vector3<double> &x : cell.positions)
           x = stretch * x + Vector3<double>{{by, -by, 0}};
+    }
+
+    /** Moves a cell, some of them far. */
+    void
+    move(ContactCell &cell)
+    {
+      const double size = engine() % 3 == 0 ? 1 : .05;
+      std::uniform_real_distribution<double> uniform(-size, size);
+      const Vector3<double>                  by = {
+        {uniform(engine), uniform(engine), uniform(engine)}};
+      for (Vector3<double> &x : cell.positions)
+        x += by;
     }
 
     Rendezvous::Subscribers
@@ -129,7 +152,7 @@ namespace
   };
 
   /** Pairs by name; checks that the cells are those of the cloud. */
-  std::vector<Rendezvous::NamedPair>
+  std::vector<NamedPair>
   named(const ContactNeighbourhood &neighbourhood, const Cloud &cloud)
   {
     const auto &cells = neighbourhood.cells;
@@ -138,12 +161,13 @@ namespace
         const ContactCell &original = cloud.all[(cells[i].cell - 1) / 3];
         EXPECT_EQ(cells[i].constants.mass, original.constants.mass);
         EXPECT_EQ(cells[i].owner, original.owner);
-        EXPECT_EQ(cells[i].nodes, original.nodes);
+        EXPECT_EQ(cells[i].groups, original.groups);
+        EXPECT_EQ(cells[i].positions, original.positions);
         EXPECT_TRUE(i == 0 || cells[i - 1].cell < cells[i].cell);
       }
-    std::vector<Rendezvous::NamedPair> pairs;
-    for (const BoxPair &pair : neighbourhood.pairs)
-      pairs.emplace_back(cells[pair.first].cell, cells[pair.second].cell);
+    std::vector<NamedPair> pairs;
+    for (const CellPair &pair : neighbourhood.pairs)
+      pairs.emplace_back(cells[pair.a].cell, cells[pair.b].cell);
     return pairs;
   }
 } // namespace
@@ -160,8 +184,7 @@ TEST(Rendezvous, FindsThePairsOfAllRanks)
         {
           const auto expected = cloud.brute_force();
           n_pairs += static_cast<std::int64_t>(expected.size());
-          EXPECT_EQ(named(rendezvous.search(cloud.own(), skin), cloud),
-                    expected)
+          EXPECT_EQ(named(rendezvous.update(cloud.own()), cloud), expected)
             << seed;
           cloud.move(.3, stretch);
         }
@@ -169,35 +192,50 @@ TEST(Rendezvous, FindsThePairsOfAllRanks)
   EXPECT_GT(n_pairs, 16000);
 }
 
-TEST(Rendezvous, JoinsPairsThatAreKnown)
+// Each round has news of some cells: pairs are found if one of them is among
+// these, wherever the others have been told of.
+TEST(Rendezvous, FindsThePairsOfWhatIsNew)
 {
-  for (unsigned int seed = 0; seed < 100; ++seed)
+  std::int64_t n_pairs = 0, n_divisions = 0;
+  for (unsigned int seed = 0; seed < 12; ++seed)
     {
-      Cloud                              cloud(seed, 100, .1);
-      std::vector<Rendezvous::NamedPair> all, expected;
-      for (const ContactCell &a : cloud.all)
-        for (const ContactCell &b : cloud.all)
-          if (a.cell < b.cell && cloud.engine() % 50 == 0)
+      Cloud      cloud(seed, 20 + seed % 40 * 40, .05 + .3 / (1 + seed % 7));
+      Rendezvous rendezvous(world(), cloud.subscribers());
+      // Few are there at first, so that space is divided anew at times.
+      std::vector<bool> is_there(cloud.all.size(), false);
+      for (unsigned int round = 0; round < 8; ++round)
+        {
+          std::vector<bool> is_new(cloud.all.size());
+          const bool        needs_all = rendezvous.needs_all();
+          n_divisions += needs_all ? 1 : 0;
+          for (std::size_t i = 0; i < is_new.size(); ++i)
             {
-              all.emplace_back(a.cell, b.cell);
-              if (cloud.is_seen(a) || cloud.is_seen(b))
-                expected.push_back(all.back());
+              const bool is_moved = cloud.engine() % 4 == 0;
+              if (is_moved)
+                cloud.move(cloud.all[i]);
+              is_new[i]   = is_moved || (needs_all && is_there[i]);
+              is_there[i] = is_there[i] || is_new[i];
             }
-      const Rendezvous rendezvous(world(), cloud.subscribers());
-      EXPECT_EQ(named(rendezvous.join(cloud.own(), all), cloud), expected);
-      EXPECT_FALSE(expected.empty());
+          const auto pairs =
+            named(rendezvous.update(cloud.own(is_new)), cloud);
+          const auto expected = cloud.brute_force(is_there, is_new);
+          n_pairs += static_cast<std::int64_t>(expected.size());
+          EXPECT_EQ(pairs, expected) << seed;
+        }
     }
+  EXPECT_GT(n_pairs, 500);
+  EXPECT_GE(n_divisions, world().size() == 1 ? 12 : 24);
 }
 
 TEST(Rendezvous, RefusesHeapsOnAllRanks)
 {
   Cloud cloud(1, 1000, .1);
   for (ContactCell &cell : cloud.all)
-    cell.motion = cloud.all[0].motion;
+    cell.positions = cloud.all[0].positions;
   Rendezvous rendezvous(world(), cloud.subscribers());
   try
     {
-      rendezvous.search(cloud.own(), skin);
+      rendezvous.update(cloud.own());
       FAIL() << "no error";
     }
   catch (const Error &error)

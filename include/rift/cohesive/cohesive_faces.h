@@ -135,13 +135,6 @@ namespace rift
     void
     set_state(std::size_t index, FaceState next, double time);
 
-    /** Rises whenever a face gets an element, fails or is let go of. */
-    std::uint64_t
-    n_events() const
-    {
-      return event_counter;
-    }
-
     /** Areas of the faces of a batch that act, m^2: zero where a face has been
      * let go of. */
     Simd
@@ -152,7 +145,8 @@ namespace rift
      * times the root of their area (or their least height, where that is less),
      * since an element between them says nothing of overlap once they have
      * turned against each other; and at the end of each contact interval failed
-     * faces that are open, since contact then resists their overlap.
+     * faces that are open at all corners, at one of them by `contact_opening`,
+     * since contact then resists their overlap.
      */
     SimdMask
     lanes_to_release(std::size_t           batch,
@@ -167,8 +161,10 @@ namespace rift
     std::vector<CohesiveBatch>    batches;
     std::vector<CohesiveFaceInfo> infos;
 
-    /** Steps between two looks of contact for cracks; zero without contact. */
+    /** Steps between two looks of contact for cracks, zero without contact, and
+     * the opening over the size of a face from which contact resists. */
     std::uint64_t contact_interval = 0;
+    double        contact_opening  = 0;
 
   private:
     static constexpr double release_distance = .5;
@@ -179,7 +175,6 @@ namespace rift
 
     Topology                &topology;
     const ReferenceCellData &reference;
-    std::uint64_t            event_counter = 0;
 
     /** Index of each interior face, if it has an element. */
     std::vector<std::uint32_t> index_of_face;

@@ -141,16 +141,20 @@ namespace rift
     }
 
     /**
-     * Has failed faces let go as soon as they are open, since contact then
-     * resists their overlap.
+     * Has failed faces let go when they are open, since contact then resists
+     * their overlap.
      *
      * @param interval faces are let go of at the end of so many steps, when
      *   contact looks for pairs.
+     * @param opening over the size of the face, of the corner that is open
+     *   most.
      */
     void
-    leave_failed_faces_to_contact(const std::uint64_t interval)
+    leave_failed_faces_to_contact(const std::uint64_t interval,
+                                  const double        opening)
     {
       cohesive_faces.contact_interval = interval;
+      cohesive_faces.contact_opening  = opening;
     }
 
     /** The faces with a cohesive element. */

@@ -30,16 +30,18 @@ namespace rift
     std::uint32_t        material;
     ContactCellConstants constants;
 
-    /** Where it is, and how it moves. */
-    CellMotion motion;
+    /** Where it was when others were told of it, and how far its corners can be
+     * from there before they are told again, m. */
+    Tetrahedron positions;
+    double      margin;
 
-    /** Name of the node at each corner: its first cell and the corner there.
-     * Cells with a common node are bonded. */
-    std::array<std::uint64_t, n_corners> nodes;
+    /** Name of the group at each corner; see VertexGroups. */
+    std::array<std::uint64_t, n_corners> groups;
 
-    /** The cell behind each face that holds, or whose cohesive element does;
-     * else invalid_index. */
-    std::array<GlobalCellIndex, n_corners> bonded;
+    /** The cell behind each interior face, else invalid_index, and whether
+     * something other than contact holds the two sides of this face. */
+    std::array<GlobalCellIndex, n_corners> behind;
+    std::array<bool, n_corners>            is_held;
   };
 
   /** Whether something other than contact acts between two cells, or they
@@ -50,14 +52,14 @@ namespace rift
     if (a.constants.body != invalid_index &&
         a.constants.body == b.constants.body)
       return true;
+    // Nobody else has the two sides of a face that is not held.
     for (unsigned int i = 0; i < n_corners; ++i)
-      {
-        if (a.bonded[i] == b.cell)
+      if (a.behind[i] == b.cell)
+        return a.is_held[i];
+    for (unsigned int i = 0; i < n_corners; ++i)
+      for (unsigned int j = 0; j < n_corners; ++j)
+        if (a.groups[i] == b.groups[j])
           return true;
-        for (unsigned int j = 0; j < n_corners; ++j)
-          if (a.nodes[i] == b.nodes[j])
-            return true;
-      }
     return false;
   }
 } // namespace rift

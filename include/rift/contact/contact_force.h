@@ -3,12 +3,13 @@
 
 #include <rift/base/archive.h>
 #include <rift/base/exact_sum.h>
+#include <rift/contact/contact_members.h>
 #include <rift/contact/contact_surface.h>
 #include <rift/contact/rendezvous.h>
+#include <rift/contact/sleeping_pairs.h>
 #include <rift/discretization/activity.h>
 #include <rift/material/material_parameters.h>
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -38,18 +39,23 @@ namespace rift
    * its nodes are the same on any number of ranks; of cells that it does not
    * own it is told by their owners.
    *
-   * Pairs are searched for anew when a corner would have moved by half of the
-   * skin in the next step, and every `crack_interval` steps when something has
-   * broken. A pair whose cells overlap already when it is found, which happens
-   * at cracks, starts without force and energy.
+   * Partners are searched for of cells that have moved by their margin and,
+   * every `look_interval` steps, of those that cracks have let go of. A pair
+   * whose cells overlap already when a crack lets go of them starts without
+   * force and energy. Pairs that are apart sleep.
    */
   class ContactForce
   {
   public:
-    /** Steps between two searches when something has broken. */
-    static constexpr std::uint64_t crack_interval = 10;
+    /** Steps between two looks at the cracks. */
+    static constexpr std::uint64_t look_interval = 10;
 
-    /** What contact has to know of the body, the cracks and the materials. */
+    /** How far the corners of cracks open before contact takes over, over the
+     * size of the cells around: what they overlap by then is free, which is
+     * where it is smaller than what cells bend by anyway. */
+    static constexpr double opening = .01;
+
+    /** What contact has to know of the body and the materials. */
     struct Interface
     {
       /** By cell slot. */
@@ -60,21 +66,10 @@ namespace rift
 
       /** Damping over the critical one. */
       double damping;
-
-      /** Whether something else holds the two sides of a face. */
-      ContactSurface::IsHeld is_held;
-
-      /** Changes with all that has happened to cracks. */
-      std::function<std::uint64_t()> n_crack_events;
-
-      /** Calls its argument with all faces that have opened. */
-      std::function<void(const std::function<void(FaceIndex)> &)>
-        for_each_open_face;
     };
 
-    /** Collective. @param state of the undeformed body. */
+    /** Neither topology nor communicator must end before this object. */
     ContactForce(const Topology     &topology,
-                 const State        &state,
                  const Communicator &communicator,
                  Interface           interface);
 
@@ -89,8 +84,8 @@ namespace rift
 
     /**
      * Takes in where the cells are now, on all ranks, and finds the pairs
-     * anew when that is due. To be called once before the first step and after
-     * each drift, when the nodes of ghost cells have followed. Collective.
+     * that are new. To be called once before the first step and after each
+     * drift, when the nodes of ghost cells have followed. Collective.
      *
      * @param time_step s.
      * @throws RunError or CollectiveError, on all ranks, when something moves
@@ -123,11 +118,12 @@ namespace rift
     void
     refuse_overlaps(const std::vector<MaterialParameters> &materials) const;
 
-    /** Adds 1 to the first cell of each pair that this rank owns. */
+    /** Adds 1 to the first cell of each pair near each other that this rank
+     * owns. */
     void
     count_pairs(const Topology &topology, std::vector<std::uint32_t> &n) const;
 
-    /** Writes pairs, and the cells of the last search with their places.
+    /** Writes the pairs that touch and what is known of the cracks.
      * Collective. */
     void
     save(Archive &archive) const;
@@ -137,76 +133,105 @@ namespace rift
     load(const State &state, const Archive &archive);
 
   private:
-    /** A cell of a pair that is computed here. */
-    struct Member
-    {
-      ContactCell cell;
+    /** Names of the cells of a pair, the first one in the upper bits. */
+    using PairName = std::uint64_t;
 
-      /** Here; invalid_index if this rank does not see it. */
-      CellIndex local;
+    /** An own cell that may touch others, where it was when others were told
+     * of it, and how far it may be from there, m. */
+    struct Surveyed
+    {
+      CellIndex   cell;
+      Tetrahedron positions;
+      double      margin;
     };
 
-    struct Pair
-    {
-      /** Positions in `members`. */
-      std::uint32_t    a, b;
-      ContactConstants constants;
-      ContactMemory    memory;
-      bool             touches;
-    };
+    PairName
+    name_of(const CellPair &cells) const;
 
-    /** A rank that tells of cells, or is told. */
-    struct Partner
-    {
-      int                        rank;
-      std::vector<std::uint32_t> cells;
-    };
+    /** Adds own cells that have moved by half of their margin. */
+    void
+    add_moved(const State            &state,
+              double                  time_step,
+              std::vector<CellIndex> &news);
 
-    bool
-    is_due(const State &state, double time_step) const;
+    /** Tells other ranks of own cells, and takes in the new pairs. */
+    void
+    search(const State &state, double time_step, std::vector<CellIndex> news);
 
-    /** The own cells as they are now. */
-    std::vector<ContactCell>
-    own_cells(const State &state, const std::vector<CellIndex> &cells) const;
+    /** @throws CollectiveError if one of the cells moves by more than half of
+     * its size in a step. Collective. */
+    void
+    refuse_too_fast(const State                  &state,
+                    double                        time_step,
+                    const std::vector<CellIndex> &cells) const;
+
+    /** What others are to know of an own cell. Keeps where it is now. */
+    ContactCell
+    survey(const State &state, double time_step, CellIndex cell);
+
+    /** Makes pairs of those that are new, and forgets members without pairs.
+     */
+    void
+    adopt(const ContactNeighbourhood &neighbourhood);
+
+    /** Gives birth to new pairs where the cells are now. */
+    void
+    start_pairs(const State &state);
+
+    /** A pair in play, without memory. */
+    ContactPair
+    make_pair(const CellPair &cells) const;
+
+    /** Puts pairs in play in their places. */
+    void
+    merge(std::vector<ContactPair> pairs);
+
+    /** Pairs that have woken sleep again or come into play. */
+    void
+    wake_pairs(const State &state);
+
+    /** Puts pairs to sleep or, if they are far apart, forgets them.
+     * @return those that nothing parts. */
+    std::vector<CellPair>
+    put_to_sleep(const std::vector<SleepingPairs::Woken> &pairs);
+
+    /** Pairs in play that do not overlap sleep again. */
+    void
+    release_parted();
 
     void
-    search(const State &state, double time_step);
-
-    /** Makes the members and the pairs that concern this rank. */
-    void
-    adopt_pairs(const ContactNeighbourhood &neighbourhood);
-
-    /** Asks the owners of cells to tell how they move. */
-    void
-    subscribe();
-
-    void
-    exchange_motions(const State &state);
-
-    void
-    add_forces(const Member                         &member,
-               const std::array<Vector3<double>, 4> &forces,
-               State                                &state,
-               Activity                             &activity) const;
+    add_forces(std::uint32_t      member,
+               const NodalVector *forces,
+               State             &state,
+               Activity          &activity) const;
 
     const Topology     &topology;
     const Communicator &communicator;
     const Interface     interface;
 
     ContactSurface surface;
-    const double   skin;
     Rendezvous     rendezvous;
 
-    /** Own cells at the last search and where they were. */
-    std::vector<CellIndex>   searched_cells;
-    std::vector<Tetrahedron> searched_positions;
-    std::uint64_t            n_known_events = 0;
-    bool                     has_searched   = false;
+    /** Own cells, and where each cell slot is among them. */
+    std::vector<Surveyed>      surveyed;
+    std::vector<std::uint32_t> surveyed_at;
+    bool                       has_searched = false;
 
-    std::vector<Member>  members;
-    std::vector<Pair>    pairs;
-    std::vector<Partner> receivers, senders;
-    ContactEnergy        energies;
+    /** The sum of how far anything may have moved in each step, m, and its
+     * value when own cells may have left their margins. */
+    double path = 0, next_survey = 0;
+
+    ContactMembers        members;
+    SleepingPairs         sleeping;
+    std::vector<CellPair> born;
+
+    /** Pairs that nothing parts, in the order of their names, and whether they
+     * overlap and have forces. */
+    std::vector<ContactPair>  in_play;
+    std::vector<std::uint8_t> overlaps, touches;
+
+    PairKernel    kernel;
+    ContactEnergy energies;
   };
 } // namespace rift
 

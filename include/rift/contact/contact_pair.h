@@ -2,6 +2,7 @@
 #define rift_contact_contact_pair_h
 
 #include <rift/contact/overlap.h>
+#include <rift/contact/packed_motion.h>
 
 namespace rift
 {
@@ -99,6 +100,84 @@ namespace rift
               const ContactConstants &constants,
               double                  time_step,
               ContactMemory          &memory);
+  inline PackedMotion
+  pack(const CellMotion &m)
+  {
+    PackedMotion p;
+    for (int i = 0; i < 4; ++i)
+      for (int d = 0; d < 3; ++d)
+        {
+          p.position[i][d] = m.positions[i][d];
+          p.velocity[i][d] = m.velocities[i][d];
+        }
+    return p;
+  }
+  inline CellMotion
+  unpack(const PackedMotion &p)
+  {
+    CellMotion m;
+    for (int i = 0; i < 4; ++i)
+      {
+        m.positions[i]  = p.position[i].vector();
+        m.velocities[i] = p.velocity[i].vector();
+      }
+    return m;
+  }
+  struct ContactPair
+  {
+    CellPair         cells;
+    ContactConstants constants;
+    ContactMemory    memory;
+  };
+  struct PairForces
+  {
+    NodalVector on_a[4], on_b[4];
+    double      energy, friction_loss, damping_loss;
+    bool        overlaps, touches, is_too_deep;
+  };
+  class OverlapBatch
+  {
+  public:
+    Overlap
+    overlap(const PackedMotion *m, const CellPair &p)
+    {
+      return rift::overlap(unpack(m[p.a]).positions, unpack(m[p.b]).positions);
+    }
+    Overlap
+    overlap(const Tetrahedron &a, const Tetrahedron &b)
+    {
+      return rift::overlap(a, b);
+    }
+  };
+  class PairKernel : public OverlapBatch
+  {
+  public:
+    static constexpr unsigned int chunk_size = 64;
+    void
+    compute(const PackedMotion *cells,
+            ContactPair        *pairs,
+            unsigned int        n,
+            double              time_step,
+            PairForces         *forces)
+    {
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const auto f = pair_forces(unpack(cells[pairs[i].cells.a]), unpack(cells[pairs[i].cells.b]),
+                                     pairs[i].constants, time_step, pairs[i].memory);
+          for (int c = 0; c < 4; ++c)
+            for (int d = 0; d < 3; ++d)
+              {
+                forces[i].on_a[c][d] = f.on_a[c][d];
+                forces[i].on_b[c][d] = f.on_b[c][d];
+              }
+          forces[i].energy = f.energy;
+          forces[i].friction_loss = f.friction_loss;
+          forces[i].damping_loss = f.damping_loss;
+          forces[i].overlaps = forces[i].touches = f.touches;
+          forces[i].is_too_deep = f.is_too_deep;
+        }
+    }
+  };
 } // namespace rift
 
 #endif

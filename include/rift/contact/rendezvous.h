@@ -2,9 +2,10 @@
 #define rift_contact_rendezvous_h
 
 #include <rift/base/communicator.h>
-#include <rift/contact/contact_search.h>
+#include <rift/contact/contact_space.h>
 
 #include <functional>
+#include <unordered_map>
 #include <vector>
 
 namespace rift
@@ -16,15 +17,15 @@ namespace rift
     std::vector<ContactCell> cells;
 
     /** Positions in `cells`; ascending. */
-    std::vector<BoxPair> pairs;
+    std::vector<CellPair> pairs;
   };
 
   /**
    * Finds pairs of cells on ranks that need know nothing of each other: each
-   * cell goes to the ranks that own the space around it, which look for pairs
-   * among those that have come and tell all ranks that see one of the two. A
-   * pair is found by the rank that owns the point at which the common box of
-   * the two begins, so that it is found once. A single rank meets itself.
+   * cell goes to the ranks that own the space around it, which keep it, look
+   * for pairs and tell all ranks that see one of the two. A pair is found by
+   * the rank that owns the point at which the common box of the two begins, so
+   * that it is found once. A single rank meets itself.
    */
   class Rendezvous
   {
@@ -35,60 +36,54 @@ namespace rift
     /** The communicator must outlive this object. */
     Rendezvous(const Communicator &communicator, Subscribers subscribers);
 
+    /** Whether space is to be divided anew, so that the next update must be
+     * with all cells; the same on all ranks. */
+    bool
+    needs_all() const
+    {
+      return !(largest_number < largest_growth * largest_number_at_first);
+    }
+
     /**
-     * All pairs of cells of which this rank sees one, nearer than the skin and
-     * not bonded. Collective.
+     * The pairs of cells of which this rank sees one, that are nearer than
+     * their margins and not bonded, and of which a cell is among the news of
+     * any rank. Collective.
      *
-     * @param own cells of this rank, ascending.
-     * @param skin m; on all ranks the same.
+     * @param news cells of this rank that have not been here yet, or have
+     *   changed or moved; ascending.
      * @throws RunError or CollectiveError, on all ranks, if there are too many
      *   on one.
      */
     ContactNeighbourhood
-    search(std::vector<ContactCell> own, double skin);
-
-    /** Global indices of two cells, the smaller first. */
-    using NamedPair = std::pair<GlobalCellIndex, GlobalCellIndex>;
-
-    /**
-     * Brings together the cells of pairs that are known. Collective.
-     *
-     * @param own cells of this rank, ascending.
-     * @param pairs of all ranks, ascending.
-     */
-    ContactNeighbourhood
-    join(const std::vector<ContactCell> &own,
-         const std::vector<NamedPair>   &pairs) const;
+    update(std::vector<ContactCell> news);
 
   private:
-    /** Cells of which a rank is told, and who sees them. */
-    struct ReceivedCells
-    {
-      std::vector<ContactCell>      cells;
-      std::vector<std::vector<int>> subscribers;
-    };
-
-    using Destinations = std::function<std::vector<int>(const ContactCell &)>;
+    /** Space is divided anew when the rank with most cells has so many times
+     * what it had when that was done last. */
+    static constexpr double largest_growth = 1.5;
 
     void
     divide(const std::vector<ContactCell> &own);
 
-    ReceivedCells
-    send_to_space_owners(const std::vector<ContactCell> &own,
-                         const Destinations             &destinations) const;
+    /** Sends cells to the ranks whose space they are in, or have been in. */
+    std::vector<ContactSpace::Guest>
+    send_to_space_owners(std::vector<ContactCell> news);
 
     /** Tells all ranks of the pairs that concern them. */
     ContactNeighbourhood
-    return_pairs(const ReceivedCells        &received,
-                 const std::vector<BoxPair> &pairs) const;
+    return_pairs(const std::vector<CellPair> &pairs) const;
 
     const Communicator &communicator;
     const Subscribers   subscribers;
 
     SpaceDivision division;
+    ContactSpace  space;
 
-    /** The largest number of received cells in the first search with this
-     * division, and in the last one. */
+    /** The ranks that have each cell of this rank, where there are several. */
+    std::unordered_map<GlobalCellIndex, std::vector<int>> places;
+
+    /** The largest number of cells on a rank after the first update with this
+     * division, and now. */
     double largest_number_at_first = 0, largest_number = 0;
   };
 } // namespace rift

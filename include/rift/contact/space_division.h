@@ -1,7 +1,7 @@
 #ifndef rift_contact_space_division_h
 #define rift_contact_space_division_h
 
-#include <rift/contact/broad_phase.h>
+#include <rift/contact/box_index.h>
 
 namespace rift
 {

@@ -1,0 +1,130 @@
+#ifndef rift_contact_contact_members_h
+#define rift_contact_contact_members_h
+
+#include <rift/base/communicator.h>
+#include <rift/contact/contact_cell.h>
+#include <rift/contact/packed_motion.h>
+#include <rift/discretization/state.h>
+
+#include <unordered_map>
+#include <vector>
+
+namespace rift
+{
+  /**
+   * The cells in pairs that are computed on this rank, and how they move: own
+   * ones and ghosts as the state says, others as their owners tell in each
+   * step.
+   */
+  class ContactMembers
+  {
+  public:
+    /** A cell in pairs. */
+    struct Member
+    {
+      ContactCell cell;
+
+      /** Here; invalid_index if this rank does not see it. */
+      CellIndex local;
+
+      /** The partners of larger name. */
+      std::vector<std::uint32_t> partners;
+
+      /** Number of pairs that it is in. */
+      std::uint32_t n_pairs;
+    };
+
+    /** Both must outlive this object. */
+    ContactMembers(const Topology &topology, const Communicator &communicator);
+
+    /** The position of a cell, which becomes a member. */
+    std::uint32_t
+    take_in(const ContactCell &cell);
+
+    /** A member by its position. */
+    const Member &
+    operator[](const std::uint32_t position) const
+    {
+      return members[position];
+    }
+
+    /** Number of members. */
+    std::size_t
+    size() const
+    {
+      return members.size();
+    }
+
+    /** Makes a pair of two members.
+     * @return whether it was none before. */
+    bool
+    connect(const CellPair &pair);
+
+    /** Forgets a pair. */
+    void
+    disconnect(const CellPair &pair);
+
+    /**
+     * Forgets members without pairs, where these are many.
+     *
+     * @return the new positions of the members; empty if nothing has changed.
+     */
+    std::vector<std::uint32_t>
+    tidy();
+
+    /** Asks the owners of the members to tell how they move. Collective. */
+    void
+    subscribe();
+
+    /** Tells others how own cells move, and is told. */
+    void
+    exchange(const State &state);
+
+    /** The square of the largest speed of cells that others have told of,
+     * m^2/s^2. */
+    double
+    largest_told_speed_squared() const;
+
+    /** Takes in how the cells of a pair move now, once per step. */
+    void
+    pack(const State &state, const CellPair &pair)
+    {
+      pack(state, pair.a);
+      pack(state, pair.b);
+    }
+
+    /** By position; up to date for cells that have been packed since the last
+     * exchange(). */
+    const PackedMotion *
+    motions() const
+    {
+      return packed.data();
+    }
+
+  private:
+    /** A rank that tells of cells, or is told. */
+    struct Partner
+    {
+      int                        rank;
+      std::vector<std::uint32_t> cells;
+    };
+
+    void
+    pack(const State &state, std::uint32_t position);
+
+    const Topology     &topology;
+    const Communicator &communicator;
+
+    std::vector<Member>                                members;
+    std::unordered_map<GlobalCellIndex, std::uint32_t> position_by_name;
+    std::vector<PackedMotion>                          packed;
+
+    /** Number of exchanges, and the last one after which a member was packed. */
+    std::uint64_t              n_exchanges = 1;
+    std::vector<std::uint64_t> packed_after;
+
+    std::vector<Partner>                               receivers, senders;
+  };
+} // namespace rift
+
+#endif

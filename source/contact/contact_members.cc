@@ -1,0 +1,170 @@
+#include <rift/base/bytes.h>
+#include <rift/base/check.h>
+#include <rift/contact/contact_members.h>
+#include <rift/contact/contact_surface.h>
+
+#include <algorithm>
+#include <map>
+
+namespace rift
+{
+  ContactMembers::ContactMembers(const Topology     &topology,
+                                 const Communicator &communicator)
+    : topology(topology)
+    , communicator(communicator)
+  {
+  }
+
+  std::uint32_t
+  ContactMembers::take_in(const ContactCell &cell)
+  {
+    const auto [place, is_new] =
+      position_by_name.try_emplace(cell.cell,
+                                   static_cast<std::uint32_t>(members.size()));
+    if (is_new)
+      {
+        members.push_back({cell, topology.find_cell(cell.cell), {}, 0});
+        packed.emplace_back();
+        packed_after.push_back(0);
+      }
+    else
+      members[place->second].cell = cell;
+    return place->second;
+  }
+
+  bool
+  ContactMembers::connect(const CellPair &pair)
+  {
+    rift_check(members[pair.a].cell.cell < members[pair.b].cell.cell);
+    auto &partners = members[pair.a].partners;
+    if (std::find(partners.begin(), partners.end(), pair.b) != partners.end())
+      return false;
+    partners.push_back(pair.b);
+    ++members[pair.a].n_pairs;
+    ++members[pair.b].n_pairs;
+    return true;
+  }
+
+  void
+  ContactMembers::disconnect(const CellPair &pair)
+  {
+    auto      &partners = members[pair.a].partners;
+    const auto place    = std::find(partners.begin(), partners.end(), pair.b);
+    rift_check(place != partners.end());
+    *place = partners.back();
+    partners.pop_back();
+    --members[pair.a].n_pairs;
+    --members[pair.b].n_pairs;
+  }
+
+  std::vector<std::uint32_t>
+  ContactMembers::tidy()
+  {
+    const auto n_idle =
+      std::count_if(members.begin(), members.end(), [](const Member &m) {
+        return m.n_pairs == 0;
+      });
+    if (2 * static_cast<std::size_t>(n_idle) < members.size() + 100)
+      return {};
+    std::vector<std::uint32_t> new_positions(members.size(), invalid_index);
+    std::uint32_t              n = 0;
+    position_by_name.clear();
+    for (std::uint32_t i = 0; i < members.size(); ++i)
+      if (members[i].n_pairs > 0)
+        {
+          new_positions[i] = n;
+          position_by_name.emplace(members[i].cell.cell, n);
+          packed[n]       = packed[i];
+          packed_after[n] = packed_after[i];
+          if (n != i)
+            members[n] = std::move(members[i]);
+          ++n;
+        }
+    members.resize(n);
+    packed.resize(n);
+    packed_after.resize(n);
+    for (Member &member : members)
+      for (std::uint32_t &partner : member.partners)
+        partner = new_positions[partner];
+    return new_positions;
+  }
+
+  void
+  ContactMembers::subscribe()
+  {
+    receivers.clear();
+    senders.clear();
+    std::map<int, std::vector<GlobalCellIndex>> wanted;
+    std::map<int, Partner>                      asked;
+    for (std::uint32_t i = 0; i < members.size(); ++i)
+      if (const int owner = members[i].cell.owner; owner != communicator.rank())
+        {
+          wanted[owner].push_back(members[i].cell.cell);
+          asked[owner].rank = owner;
+          asked[owner].cells.push_back(i);
+        }
+    for (auto &[rank, partner] : asked)
+      senders.push_back(std::move(partner));
+    for (const auto &[rank, cells] : communicator.exchange(wanted))
+      {
+        Partner receiver{rank, {}};
+        for (const GlobalCellIndex cell : cells)
+          {
+            receiver.cells.push_back(topology.find_cell(cell));
+            rift_check(receiver.cells.back() != invalid_index &&
+                       topology.owns_cell(receiver.cells.back()));
+          }
+        receivers.push_back(std::move(receiver));
+      }
+  }
+
+  void
+  ContactMembers::exchange(const State &state)
+  {
+    ++n_exchanges;
+    std::map<int, std::string> messages;
+    for (const Partner &receiver : receivers)
+      {
+        std::vector<CellMotion> motions;
+        for (const CellIndex cell : receiver.cells)
+          motions.push_back(motion_of(topology, state, cell));
+        messages[receiver.rank] = to_bytes(motions);
+      }
+    std::map<int, std::size_t> sizes;
+    for (const Partner &sender : senders)
+      sizes[sender.rank] = sender.cells.size() * sizeof(CellMotion);
+    const auto received = communicator.exchange(messages, sizes);
+    for (const Partner &sender : senders)
+      {
+        const auto motions = from_bytes<CellMotion>(received.at(sender.rank));
+        rift_check(motions.size() == sender.cells.size());
+        for (std::size_t i = 0; i < motions.size(); ++i)
+          {
+            packed[sender.cells[i]]       = rift::pack(motions[i]);
+            packed_after[sender.cells[i]] = n_exchanges;
+          }
+      }
+  }
+
+  double
+  ContactMembers::largest_told_speed_squared() const
+  {
+    double largest = 0;
+    for (const Partner &sender : senders)
+      for (const std::uint32_t cell : sender.cells)
+        for (const NodalVector &v : packed[cell].velocity)
+          largest = std::max(largest, dot(v.vector(), v.vector()));
+    return largest;
+  }
+
+  void
+  ContactMembers::pack(const State &state, const std::uint32_t position)
+  {
+    if (packed_after[position] == n_exchanges)
+      return;
+    rift_check(members[position].cell.owner == communicator.rank());
+    packed_after[position] = n_exchanges;
+    packed[position] =
+      rift::pack(motion_of(topology, state, members[position].local));
+  }
+} // namespace rift

@@ -1,0 +1,137 @@
+#include <rift/base/check.h>
+#include <rift/base/exceptions.h>
+#include <rift/contact/contact_space.h>
+#include <rift/contact/separation.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace rift
+{
+  namespace
+  {
+    /** So many boxes touch another one only when bodies have collapsed. */
+    constexpr std::size_t largest_pairs_per_cell = 200;
+
+    Vector3<double>
+    lower_corner_of_common_box(const Box &a, const Box &b)
+    {
+      Vector3<double> corner;
+      for (unsigned int d = 0; d < dim; ++d)
+        corner[d] = std::max(a.lower[d], b.lower[d]);
+      return corner;
+    }
+  } // namespace
+
+  Box
+  box_around(const ContactCell &cell)
+  {
+    Box box{cell.positions[0], cell.positions[0]};
+    for (const Vector3<double> &x : cell.positions)
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          box.lower[d] = std::min(box.lower[d], x[d]);
+          box.upper[d] = std::max(box.upper[d], x[d]);
+        }
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        box.lower[d] -= cell.margin;
+        box.upper[d] += cell.margin;
+      }
+    return box;
+  }
+
+  void
+  ContactSpace::clear()
+  {
+    guests.clear();
+    number_by_name.clear();
+    boxes.clear();
+    last_news.clear();
+  }
+
+  std::uint32_t
+  ContactSpace::take_in(Guest guest)
+  {
+    const auto [place, is_new] =
+      number_by_name.try_emplace(guest.cell.cell,
+                                 static_cast<std::uint32_t>(guests.size()));
+    const std::uint32_t number = place->second;
+    if (is_new)
+      {
+        guests.emplace_back();
+        last_news.push_back(0);
+      }
+    boxes.put(number, box_around(guest.cell));
+    guests[number]    = std::move(guest);
+    last_news[number] = n_updates;
+    return number;
+  }
+
+  bool
+  ContactSpace::may_touch(const std::uint32_t a, const std::uint32_t b) const
+  {
+    const ContactCell &x = guests[a].cell, &y = guests[b].cell;
+    const double       reach = x.margin + y.margin;
+    return !are_bonded(x, y) &&
+           FacePlanes(x.positions).distance_to(y.positions) <= reach &&
+           FacePlanes(y.positions).distance_to(x.positions) <= reach;
+  }
+
+  std::vector<CellPair>
+  ContactSpace::update(std::vector<Guest>   news,
+                       const SpaceDivision &division,
+                       const int            rank)
+  {
+    ++n_updates;
+    const bool                 are_all_new = guests.empty();
+    std::vector<std::uint32_t> numbers;
+    for (Guest &guest : news)
+      {
+        numbers.push_back(take_in(std::move(guest)));
+        const auto ranks = division.ranks_of(boxes.box(numbers.back()));
+        if (!std::binary_search(ranks.begin(), ranks.end(), rank))
+          {
+            boxes.remove(numbers.back());
+            numbers.pop_back();
+          }
+      }
+
+    const std::size_t          limit      = largest_pairs_per_cell * size();
+    std::size_t                n_touching = 0;
+    std::vector<CellPair>      pairs;
+    std::vector<std::uint32_t> found;
+    for (const std::uint32_t i : numbers)
+      {
+        // Of two among the news, the smaller one finds the other.
+        const auto is_found_here = [&](const std::uint32_t j) {
+          if (last_news[j] != n_updates)
+            return true;
+          if (are_all_new && boxes.level(i) != boxes.level(j))
+            return boxes.level(i) < boxes.level(j);
+          return i < j;
+        };
+        found.clear();
+        boxes.find(boxes.box(i),
+                   are_all_new ? boxes.level(i) :
+                                 std::numeric_limits<int>::min(),
+                   found);
+        n_touching += found.size();
+        if (n_touching > 2 * limit)
+          throw RunError(
+            "contact: the " + std::to_string(size()) +
+            " cells at surfaces have more than " + std::to_string(limit) +
+            " pairs that may touch. Bodies lie in each other, or cells of very "
+            "different size meet: look at the last results in ParaView.");
+        for (const std::uint32_t j : found)
+          if (j != i && is_found_here(j) &&
+              division.rank_of(lower_corner_of_common_box(
+                boxes.box(i), boxes.box(j))) == rank &&
+              may_touch(i, j))
+            pairs.push_back(guests[i].cell.cell < guests[j].cell.cell ?
+                              CellPair{i, j} :
+                              CellPair{j, i});
+      }
+    return pairs;
+  }
+} // namespace rift
