@@ -168,6 +168,7 @@ namespace rift
 
     const std::vector<ContactCell> &cells = neighbourhood.cells;
     std::vector<std::uint32_t>      member_of(cells.size(), invalid_index);
+    std::vector<std::size_t>        born;
     members.clear();
     pairs.clear();
     pairs.reserve(neighbourhood.pairs.size());
@@ -191,8 +192,7 @@ namespace rift
         if (old != old_pairs.end() && name_of(*old) == name)
           pair = *old;
         else
-          pair.memory.initial_potential =
-            overlap(a.motion.positions, b.motion.positions).potential;
+          born.push_back(pairs.size());
         pair.a         = member(found.first);
         pair.b         = member(found.second);
         pair.constants = {std::min(a.constants.penalty, b.constants.penalty),
@@ -203,6 +203,13 @@ namespace rift
                    members[pair.b].local != invalid_index);
         pairs.push_back(pair);
       }
+    std::vector<CellPair> born_pairs;
+    for (const std::size_t i : born)
+      born_pairs.push_back({pairs[i].a, pairs[i].b});
+    const std::vector<CommonPart> parts =
+      common_parts(packed_members(), born_pairs);
+    for (std::size_t i = 0; i < born.size(); ++i)
+      pairs[born[i]].memory.initial_potential = parts[i].potential;
     subscribe();
   }
 
@@ -266,37 +273,64 @@ namespace rift
   ContactForce::add_to(State &state, Activity &activity, const double time_step)
   {
     energies.elastic = ExactSum();
-    std::optional<DeepOverlap> deep;
-    for (Pair &pair : pairs)
+    std::optional<DeepOverlap>                      deep;
+    const std::vector<PackedMotion>                 cells = packed_members();
+    std::array<ContactPair, PairKernel::chunk_size> chunk;
+    std::array<PairForces, PairKernel::chunk_size>  results;
+    for (std::size_t first = 0; first < pairs.size();
+         first += PairKernel::chunk_size)
       {
-        const Member       &a = members[pair.a], &b = members[pair.b];
-        const ContactForces forces = pair_forces(a.cell.motion,
-                                                 b.cell.motion,
-                                                 pair.constants,
-                                                 time_step,
-                                                 pair.memory);
-        pair.touches               = forces.energy > 0;
-        if (forces.is_too_deep && !deep)
-          deep = DeepOverlap{a.cell.cell, b.cell.cell};
-        if (a.cell.owner == communicator.rank())
+        const auto n = static_cast<unsigned int>(
+          std::min<std::size_t>(PairKernel::chunk_size, pairs.size() - first));
+        for (unsigned int i = 0; i < n; ++i)
           {
-            energies.elastic.add(forces.energy);
-            energies.friction.add(forces.friction_loss);
-            energies.damping.add(forces.damping_loss);
+            const Pair &pair = pairs[first + i];
+            chunk[i]         = {{pair.a, pair.b}, pair.constants, pair.memory};
           }
-        if (!forces.touches)
-          continue;
-        add_forces(a, forces.on_a, state, activity);
-        add_forces(b, forces.on_b, state, activity);
+        kernel.compute(cells.data(),
+                       chunk.data(),
+                       n,
+                       time_step,
+                       results.data());
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            Pair             &pair   = pairs[first + i];
+            const PairForces &forces = results[i];
+            const Member     &a = members[pair.a], &b = members[pair.b];
+            pair.memory  = chunk[i].memory;
+            pair.touches = forces.touches;
+            if (forces.is_too_deep && !deep)
+              deep = DeepOverlap{a.cell.cell, b.cell.cell};
+            if (a.cell.owner == communicator.rank())
+              {
+                energies.elastic.add(forces.energy);
+                energies.friction.add(forces.friction_loss);
+                energies.damping.add(forces.damping_loss);
+              }
+            if (!forces.overlaps)
+              continue;
+            add_forces(a, forces.on_a, state, activity);
+            add_forces(b, forces.on_b, state, activity);
+          }
       }
     return deep;
   }
 
+  std::vector<PackedMotion>
+  ContactForce::packed_members() const
+  {
+    std::vector<PackedMotion> cells;
+    cells.reserve(members.size());
+    for (const Member &member : members)
+      cells.push_back(pack(member.cell.motion));
+    return cells;
+  }
+
   void
-  ContactForce::add_forces(const Member                         &member,
-                           const std::array<Vector3<double>, 4> &forces,
-                           State                                &state,
-                           Activity                             &activity) const
+  ContactForce::add_forces(const Member      &member,
+                           const NodalVector *forces,
+                           State             &state,
+                           Activity          &activity) const
   {
     if (member.local == invalid_index)
       return;

@@ -1,6 +1,7 @@
 #include <rift/base/exceptions.h>
 #include <rift/base/parameter_text.h>
 #include <rift/contact/contact_force.h>
+#include <rift/contact/overlap_batch.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -69,12 +70,15 @@ namespace rift
     const std::vector<MaterialParameters> &materials) const
   {
     communicator.collectively([&] {
+      std::vector<CellPair> all;
       for (const Pair &pair : pairs)
+        all.push_back({pair.a, pair.b});
+      const std::vector<CommonPart> parts = common_parts(packed_members(), all);
+      for (std::size_t i = 0; i < pairs.size(); ++i)
         {
-          const ContactCell &a = members[pair.a].cell,
-                            &b = members[pair.b].cell;
-          const double common =
-            overlap(a.motion.positions, b.motion.positions).volume;
+          const ContactCell &a = members[pairs[i].a].cell,
+                            &b = members[pairs[i].b].cell;
+          const double common  = parts[i].volume;
           const double smaller =
             std::min(volume(a.motion.positions), volume(b.motion.positions));
           if (common > largest_overlap_at_start * smaller)

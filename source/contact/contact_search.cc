@@ -1,5 +1,6 @@
 #include <rift/base/exceptions.h>
 #include <rift/contact/contact_search.h>
+#include <rift/contact/separation.h>
 
 #include <algorithm>
 

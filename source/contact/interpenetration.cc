@@ -1,5 +1,6 @@
 #include <rift/contact/contact_surface.h>
 #include <rift/contact/interpenetration.h>
+#include <rift/contact/overlap_batch.h>
 #include <rift/contact/rendezvous.h>
 
 #include <algorithm>
@@ -54,6 +55,15 @@ namespace rift
     const ContactNeighbourhood found =
       rendezvous.search(surface_cells(topology, state, rank), 0);
 
+    std::vector<PackedMotion> cells;
+    for (const ContactCell &cell : found.cells)
+      cells.push_back(pack(cell.motion));
+    std::vector<CellPair> pairs;
+    for (const BoxPair &pair : found.pairs)
+      if (found.cells[pair.first].owner == rank)
+        pairs.push_back({pair.first, pair.second});
+    const std::vector<CommonPart> parts = common_parts(cells, pairs);
+
     struct Deepest
     {
       double          part;
@@ -66,14 +76,11 @@ namespace rift
     };
     Deepest      deepest{0, invalid_index, invalid_index, {}};
     std::int64_t n_pairs = 0;
-    for (const BoxPair &pair : found.pairs)
+    for (std::size_t i = 0; i < pairs.size(); ++i)
       {
-        const ContactCell &a = found.cells[pair.first],
-                          &b = found.cells[pair.second];
-        if (a.owner != rank)
-          continue;
-        const double part =
-          overlap(a.motion.positions, b.motion.positions).volume_fraction;
+        const ContactCell &a = found.cells[pairs[i].a],
+                          &b = found.cells[pairs[i].b];
+        const double part    = parts[i].volume_fraction;
         if (part <= Interpenetration::tolerated_part)
           continue;
         ++n_pairs;

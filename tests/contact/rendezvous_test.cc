@@ -4,6 +4,7 @@
 #include <rift/base/exceptions.h>
 #include <rift/contact/background_octree.h>
 #include <rift/contact/rendezvous.h>
+#include <rift/contact/separation.h>
 
 #include <gtest/gtest.h>
 #include <p4est.h>

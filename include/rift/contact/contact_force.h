@@ -3,6 +3,7 @@
 
 #include <rift/base/archive.h>
 #include <rift/base/exact_sum.h>
+#include <rift/contact/contact_pair.h>
 #include <rift/contact/contact_surface.h>
 #include <rift/contact/rendezvous.h>
 #include <rift/discretization/activity.h>
@@ -184,10 +185,14 @@ namespace rift
     exchange_motions(const State &state);
 
     void
-    add_forces(const Member                         &member,
-               const std::array<Vector3<double>, 4> &forces,
-               State                                &state,
-               Activity                             &activity) const;
+    add_forces(const Member      &member,
+               const NodalVector *forces,
+               State             &state,
+               Activity          &activity) const;
+
+    /** Where the members are and how they move. */
+    std::vector<PackedMotion>
+    packed_members() const;
 
     const Topology     &topology;
     const Communicator &communicator;
@@ -207,6 +212,7 @@ namespace rift
     std::vector<Pair>    pairs;
     std::vector<Partner> receivers, senders;
     ContactEnergy        energies;
+    PairKernel           kernel;
   };
 } // namespace rift
 
