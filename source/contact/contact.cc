@@ -91,7 +91,8 @@ namespace rift
     interface.friction = friction_table();
     if (fracture != nullptr)
       fracture->cohesive_force().leave_failed_faces_to_contact(
-        ContactForce::look_interval, ContactForce::opening);
+        ContactForce::look_interval,
+        ContactForce::opening);
     force.emplace(body.topology, body.communicator, std::move(interface));
   }
 

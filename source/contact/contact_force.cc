@@ -34,9 +34,8 @@ namespace rift
       double largest = 0;
       for (const Vector3<double> &v : motion.velocities)
         if (const double speed = norm(v); !(speed <= largest))
-          largest = std::isnan(speed) ?
-                      std::numeric_limits<double>::infinity() :
-                      speed;
+          largest =
+            std::isnan(speed) ? std::numeric_limits<double>::infinity() : speed;
       return largest;
     }
 
@@ -267,12 +266,13 @@ namespace rift
         pairs.push_back({pair, no_axis});
       }
     born.clear();
-    std::vector<ContactPair> new_pairs;
-    for (const CellPair &pair : put_to_sleep(pairs))
+    const std::vector<CellPair>   near  = put_to_sleep(pairs);
+    const std::vector<CommonPart> parts = common_parts(members.motions(), near);
+    std::vector<ContactPair>      new_pairs;
+    for (std::size_t i = 0; i < near.size(); ++i)
       {
-        new_pairs.push_back(make_pair(pair));
-        new_pairs.back().memory.initial_potential =
-          kernel.overlap(members.motions(), pair).potential;
+        new_pairs.push_back(make_pair(near[i]));
+        new_pairs.back().memory.initial_potential = parts[i].potential;
       }
     merge(std::move(new_pairs));
   }
@@ -288,8 +288,11 @@ namespace rift
         axes.push_back(pair.axis);
       }
     std::vector<double> gaps(cells.size());
-    find_gaps(
-      members.motions(), cells.data(), cells.size(), axes.data(), gaps.data());
+    find_gaps(members.motions(),
+              cells.data(),
+              cells.size(),
+              axes.data(),
+              gaps.data());
 
     std::vector<CellPair> near;
     for (std::size_t i = 0; i < cells.size(); ++i)
@@ -374,11 +377,11 @@ namespace rift
                        forces.data());
         for (unsigned int i = 0; i < n; ++i)
           {
-            const CellPair   &cells = in_play[begin + i].cells;
-            const PairForces &f     = forces[i];
-            const ContactCell &a = members[cells.a].cell;
-            overlaps[begin + i] = f.overlaps;
-            touches[begin + i]  = f.energy > 0;
+            const CellPair    &cells = in_play[begin + i].cells;
+            const PairForces  &f     = forces[i];
+            const ContactCell &a     = members[cells.a].cell;
+            overlaps[begin + i]      = f.overlaps;
+            touches[begin + i]       = f.touches;
             if (f.is_too_deep && !deep)
               deep = DeepOverlap{a.cell, members[cells.b].cell.cell};
             if (a.owner == communicator.rank())
@@ -387,7 +390,7 @@ namespace rift
                 energies.friction.add(f.friction_loss);
                 energies.damping.add(f.damping_loss);
               }
-            if (!f.touches)
+            if (!f.overlaps)
               continue;
             add_forces(cells.a, f.on_a, state, activity);
             add_forces(cells.b, f.on_b, state, activity);
@@ -432,8 +435,8 @@ namespace rift
   {
     std::int64_t number = 0;
     for (std::size_t i = 0; i < in_play.size(); ++i)
-      number += touches[i] && members[in_play[i].cells.a].cell.owner ==
-                                communicator.rank();
+      number += touches[i] &&
+                members[in_play[i].cells.a].cell.owner == communicator.rank();
     return static_cast<std::uint64_t>(communicator.sum(number));
   }
 } // namespace rift

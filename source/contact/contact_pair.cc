@@ -2,7 +2,6 @@
 #include <rift/contact/contact_pair.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace rift
 {
@@ -11,23 +10,124 @@ namespace rift
     /** Stiffness of the spring of friction over that of the overlap. */
     constexpr double stiffness_ratio = 2. / 7;
 
-    Vector3<double>
-    weighted(const std::array<double, 4>          &weights,
-             const std::array<Vector3<double>, 4> &vectors)
+    /** Constants and memories of eight pairs, lane by lane; those of
+     * ContactConstants and ContactMemory. */
+    struct PairBatch
     {
-      Vector3<double> sum{};
-      for (unsigned int c = 0; c < 4; ++c)
-        sum += weights[c] * vectors[c];
-      return sum;
+      PairBatch(const ContactPair *pairs, const unsigned int n)
+      {
+        for (unsigned int lane = 0; lane < batch_size; ++lane)
+          {
+            // Lanes without a pair do as the last one.
+            const ContactPair &pair = pairs[std::min(lane, n - 1)];
+            a[lane]                 = pair.cells.a;
+            b[lane]                 = pair.cells.b;
+            penalty[lane]           = pair.constants.penalty;
+            friction[lane]          = pair.constants.friction;
+            damping[lane]           = pair.constants.damping;
+            mass[lane]              = pair.constants.mass;
+            initial_potential[lane] = pair.memory.initial_potential;
+            for (unsigned int d = 0; d < 3; ++d)
+              slip[d][lane] = pair.memory.slip[d];
+            stiffness[lane]     = pair.memory.stiffness;
+            damping_force[lane] = pair.memory.damping_force;
+          }
+      }
+
+      void
+      write_memory(ContactPair *pairs, const unsigned int n) const
+      {
+        for (unsigned int lane = 0; lane < n; ++lane)
+          pairs[lane].memory = {initial_potential[lane],
+                                {{slip[0][lane], slip[1][lane], slip[2][lane]}},
+                                stiffness[lane],
+                                damping_force[lane]};
+      }
+
+      Simd
+      spring_energy() const
+      {
+        return .5 * stiffness * dot(slip, slip);
+      }
+
+      std::array<std::uint32_t, batch_size> a, b;
+
+      Simd          penalty, friction, damping, mass;
+      Simd          initial_potential, stiffness, damping_force;
+      Vector3<Simd> slip;
+    };
+
+    /** PairForces of eight pairs, lane by lane. */
+    struct ForceBatch
+    {
+      void
+      write(PairForces *forces, const unsigned int n) const
+      {
+        for (unsigned int c = 0; c < 4; ++c)
+          {
+            const auto a = transpose_to_rows(on_a[c]),
+                       b = transpose_to_rows(on_b[c]);
+            for (unsigned int lane = 0; lane < n; ++lane)
+              {
+                forces[lane].on_a[c].row() = a[lane];
+                forces[lane].on_b[c].row() = b[lane];
+              }
+          }
+        for (unsigned int lane = 0; lane < n; ++lane)
+          {
+            forces[lane].energy        = energy[lane];
+            forces[lane].friction_loss = friction_loss[lane];
+            forces[lane].damping_loss  = damping_loss[lane];
+            forces[lane].overlaps      = overlaps[lane] != 0;
+            forces[lane].touches       = energy[lane] > 0;
+            forces[lane].is_too_deep   = is_too_deep[lane] != 0;
+          }
+      }
+
+      std::array<Vector3<Simd>, 4> on_a, on_b;
+      Simd                         energy, friction_loss, damping_loss;
+      SimdMask                     overlaps, is_too_deep;
+    };
+
+    Vector3<Simd>
+    select(const SimdMask      &mask,
+           const Vector3<Simd> &if_true,
+           const Vector3<Simd> &if_false)
+    {
+      return {{rift::select(mask, if_true[0], if_false[0]),
+               rift::select(mask, if_true[1], if_false[1]),
+               rift::select(mask, if_true[2], if_false[2])}};
     }
 
-    /** Whether the weights of a point among the corners sum to 1, but for
-     * rounding. */
-    bool
-    sum_to_one(const std::array<double, 4> &weights)
+    Simd
+    norm(const Vector3<Simd> &a)
     {
-      return !(std::abs(weights[0] + weights[1] + weights[2] + weights[3] - 1) >
-               1e-9);
+      return rift::sqrt(dot(a, a));
+    }
+
+    /** The part of a vector across a normal. */
+    Vector3<Simd>
+    across(const Vector3<Simd> &vector, const Vector3<Simd> &normal)
+    {
+      return vector - dot(vector, normal) * normal;
+    }
+
+    /** Turns the slip into the plane of the contact as it is now. */
+    Vector3<Simd>
+    turned(const Vector3<Simd> &slip, const Vector3<Simd> &normal)
+    {
+      const Vector3<Simd> in_plane = across(slip, normal);
+      const Simd          length   = norm(in_plane);
+      return select(length > 0, (norm(slip) / length) * in_plane, in_plane);
+    }
+
+    /** Whether the weights of points among corners sum to 1, but for rounding.
+     */
+    bool
+    sum_to_one(const std::array<Simd, 4> &weights, const SimdMask &overlaps)
+    {
+      const Simd error = weights[0] + weights[1] + weights[2] + weights[3] - 1;
+      return !any(overlaps & ((error > 1e-9) | (error < -1e-9)));
     }
 
     /**
@@ -36,74 +136,33 @@ namespace rift
      * a number passes.
      */
     bool
-    cancel(const ContactForces &forces, const double volume_fraction)
+    cancel(const ForceBatch &forces, const Simd &volume_fraction)
     {
-      Vector3<double> sum{};
-      double          scale = 0;
+      Vector3<Simd> sum{};
+      Simd          scale{};
       for (unsigned int c = 0; c < 4; ++c)
         {
           sum += forces.on_a[c] + forces.on_b[c];
           scale += norm(forces.on_a[c]) + norm(forces.on_b[c]);
         }
-      return !(norm(sum) * volume_fraction > 1e-14 * scale);
+      return !any(norm(sum) * volume_fraction > 1e-14 * scale);
     }
 
-    /** The part of a vector across a normal. */
-    Vector3<double>
-    across(const Vector3<double> &vector, const Vector3<double> &normal)
+    /** The speed of A against B at the centroid of the overlap, m/s. */
+    Vector3<Simd>
+    sliding_velocity(const PackedMotion *cells,
+                     const PairBatch    &pairs,
+                     const OverlapOctet &common)
     {
-      return vector - dot(vector, normal) * normal;
-    }
-
-    /** Turns the slip into the plane of the contact as it is now. */
-    Vector3<double>
-    turned(const Vector3<double> &slip, const Vector3<double> &normal)
-    {
-      const Vector3<double> in_plane = across(slip, normal);
-      const double          length   = norm(in_plane);
-      return length > 0 ? (norm(slip) / length) * in_plane : in_plane;
-    }
-
-    double
-    spring_energy(const ContactMemory &memory)
-    {
-      return .5 * memory.stiffness * dot(memory.slip, memory.slip);
-    }
-
-    /**
-     * Moves the spring of friction.
-     *
-     * @param normal_force N.
-     * @param shift of A against B in the plane since the step before, m.
-     * @return energy that has been used up, J: by the trapezoidal rule, as the
-     *   central differences count the work of the spring.
-     */
-    double
-    slide(const Vector3<double> &normal,
-          const double           normal_force,
-          const double           stiffness,
-          const double           friction,
-          const Vector3<double> &shift,
-          ContactMemory         &memory)
-    {
-      memory.slip                     = turned(memory.slip, normal);
-      const Vector3<double> old_force = memory.stiffness * memory.slip;
-      const double          before    = spring_energy(memory);
-      // A spring that becomes stiffer keeps its force.
-      if (stiffness > memory.stiffness)
+      Vector3<Simd> of_a{}, of_b{};
+      for (unsigned int c = 0; c < 4; ++c)
         {
-          memory.slip      = (memory.stiffness / stiffness) * memory.slip;
-          memory.stiffness = stiffness;
+          of_a +=
+            common.weights_a[c] * gather_row(cells, pairs.a.data(), 4 + c);
+          of_b +=
+            common.weights_b[c] * gather_row(cells, pairs.b.data(), 4 + c);
         }
-      memory.slip += shift;
-      const double length  = norm(memory.slip);
-      const double longest = friction * normal_force / memory.stiffness;
-      if (length > longest)
-        memory.slip = (longest / length) * memory.slip;
-      const Vector3<double> force = memory.stiffness * memory.slip;
-      rift_check(!(norm(force) > (1 + 1e-12) * friction * normal_force));
-      return .5 * dot(old_force + force, shift) -
-             (spring_energy(memory) - before);
+      return of_a - of_b;
     }
 
     /**
@@ -111,25 +170,21 @@ namespace rift
      *
      * @return derivative of the energy by the potential, Pa.
      */
-    double
-    press(const Overlap          &common,
-          const ContactConstants &constants,
-          ContactMemory          &memory,
-          ContactForces          &result)
+    Simd
+    press(const OverlapOctet &common, PairBatch &pairs, ForceBatch &result)
     {
-      memory.initial_potential =
-        std::min(memory.initial_potential, common.potential);
-      const double initial = memory.initial_potential;
-      const double ratio =
+      const Simd initial      = min(common.potential, pairs.initial_potential);
+      pairs.initial_potential = initial;
+      const Simd ratio =
         (common.potential - initial) / (common.potential + 3 * initial);
-      const double slope = constants.penalty * ratio * (2 - ratio);
-      rift_check(!(common.potential < 0 || initial < 0 || slope < 0));
-      result.touches = true;
-      result.energy  = constants.penalty * ratio * (common.potential - initial);
+      const Simd slope = pairs.penalty * ratio * (2 - ratio);
+      rift_check(!any(result.overlaps &
+                      ((common.potential < 0) | (initial < 0) | (slope < 0))));
+      result.energy = pairs.penalty * ratio * (common.potential - initial);
       result.is_too_deep =
-        initial == 0 &&
-        (common.potential > largest_mean_potential * common.volume ||
-         common.volume_fraction > largest_volume_fraction);
+        (initial == 0) &
+        ((common.potential > largest_mean_potential * common.volume) |
+         (common.volume_fraction > largest_volume_fraction));
       for (unsigned int c = 0; c < 4; ++c)
         {
           result.on_a[c] = -slope * common.gradient_a[c];
@@ -145,86 +200,160 @@ namespace rift
      * @param speed of A against B along the force on A, m/s.
      * @return its force, N.
      */
-    double
-    damp(const ContactConstants &constants,
-         const double            stiffness,
-         const double            elastic,
-         const double            speed,
-         const double            time_step,
-         ContactMemory          &memory,
-         ContactForces          &result)
+    Simd
+    damp(const Simd  &stiffness,
+         const Simd  &elastic,
+         const Simd  &speed,
+         const double time_step,
+         PairBatch   &pairs,
+         ForceBatch  &result)
     {
-      const double force = std::max(
-        -2 * constants.damping * std::sqrt(stiffness * constants.mass) * speed,
-        -elastic);
+      // In this order what is not a number remains so.
+      const Simd force =
+        max(-elastic,
+            -2 * pairs.damping * rift::sqrt(stiffness * pairs.mass) * speed);
       result.damping_loss =
-        -.5 * (memory.damping_force + force) * speed * time_step;
-      memory.damping_force = force;
+        -.5 * (pairs.damping_force + force) * speed * time_step;
+      pairs.damping_force = force;
       return force;
     }
-  } // namespace
 
-  ContactForces
-  pair_forces(const CellMotion       &a,
-              const CellMotion       &b,
-              const ContactConstants &constants,
-              const double            time_step,
-              ContactMemory          &memory)
-  {
-    ContactForces result;
-    const Overlap common = overlap(a.positions, b.positions);
-    if (common.volume == 0)
-      {
-        result.friction_loss = spring_energy(memory);
-        memory               = ContactMemory();
-        return result;
-      }
+    /**
+     * Moves the spring of friction.
+     *
+     * @param normal_force N.
+     * @param shift of A against B in the plane since the step before, m.
+     * @return energy that has been used up, J: by the trapezoidal rule, as the
+     *   central differences count the work of the spring.
+     */
+    Simd
+    slide(const Vector3<Simd> &normal,
+          const Simd          &normal_force,
+          const Simd          &stiffness,
+          const Vector3<Simd> &shift,
+          PairBatch           &pairs)
+    {
+      pairs.slip                    = turned(pairs.slip, normal);
+      const Vector3<Simd> old_force = pairs.stiffness * pairs.slip;
+      const Simd          before    = pairs.spring_energy();
+      // A spring that becomes stiffer keeps its force.
+      const SimdMask is_stiffer = stiffness > pairs.stiffness;
+      pairs.slip                = select(is_stiffer,
+                          (pairs.stiffness / stiffness) * pairs.slip,
+                          pairs.slip);
+      pairs.stiffness = rift::select(is_stiffer, stiffness, pairs.stiffness);
+      pairs.slip += shift;
+      const Simd length  = norm(pairs.slip);
+      const Simd longest = pairs.friction * normal_force / pairs.stiffness;
+      pairs.slip =
+        select(length > longest, (longest / length) * pairs.slip, pairs.slip);
+      const Vector3<Simd> force = pairs.stiffness * pairs.slip;
+      return .5 * dot(old_force + force, shift) -
+             (pairs.spring_energy() - before);
+    }
 
-    rift_check(sum_to_one(common.weights_a) && sum_to_one(common.weights_b));
-    const double    slope = press(common, constants, memory, result);
-    Vector3<double> force{};
-    for (const Vector3<double> &f : result.on_a)
-      force += f;
-    const double elastic = norm(force);
-    if (elastic == 0)
-      {
-        result.friction_loss = spring_energy(memory);
-        memory.slip          = {};
-        memory.damping_force = 0;
-        return result;
-      }
-    const Vector3<double> normal   = (1 / elastic) * force;
-    const Vector3<double> velocity = weighted(common.weights_a, a.velocities) -
-                                     weighted(common.weights_b, b.velocities);
-    // Of faces that lie flat upon each other the potential is half of the
-    // stiffness times the square of the depth, over the penalty.
-    const double stiffness = elastic * elastic / (2 * slope * common.potential);
+    /** The law of eight pairs, of which some do not overlap. */
+    ForceBatch
+    apply_law(const PackedMotion *cells,
+              const OverlapOctet &common,
+              const double        time_step,
+              PairBatch          &pairs)
+    {
+      const PairBatch before = pairs;
+      const Simd      zero{};
+      ForceBatch      result;
+      result.overlaps = common.volume > 0;
+      rift_check(sum_to_one(common.weights_a, result.overlaps) &&
+                 sum_to_one(common.weights_b, result.overlaps));
+      const Simd    slope          = press(common, pairs, result);
+      const Simd    elastic_energy = result.energy;
+      Vector3<Simd> force{};
+      for (const Vector3<Simd> &f : result.on_a)
+        force += f;
+      const Simd          elastic  = norm(force);
+      const Vector3<Simd> normal   = (1 / elastic) * force;
+      const Vector3<Simd> velocity = sliding_velocity(cells, pairs, common);
+      // Of faces that lie flat upon each other the potential is half of the
+      // stiffness times the square of the depth, over the penalty.
+      const Simd stiffness = elastic * elastic / (2 * slope * common.potential);
 
-    const double    damping_force = damp(constants,
-                                      stiffness,
+      const Simd damping_force = damp(stiffness,
                                       elastic,
                                       dot(velocity, normal),
                                       time_step,
-                                      memory,
+                                      pairs,
                                       result);
-    Vector3<double> added         = damping_force * normal;
-    if (constants.friction > 0)
+      result.friction_loss =
+        slide(normal,
+              elastic + damping_force,
+              stiffness_ratio * stiffness,
+              broadcast(time_step) * across(velocity, normal),
+              pairs);
+
+      // Pairs without an elastic force have neither damper nor spring, those
+      // without friction no spring.
+      const SimdMask is_pressed = result.overlaps & ~(elastic == 0),
+                     rubs       = is_pressed & (pairs.friction > 0),
+                     keeps      = result.overlaps & ~rubs;
+      const Vector3<Simd> none{};
+      pairs.initial_potential =
+        rift::select(result.overlaps, pairs.initial_potential, zero);
+      pairs.damping_force = rift::select(is_pressed, pairs.damping_force, zero);
+      pairs.slip =
+        select(rubs, pairs.slip, select(is_pressed, before.slip, none));
+      pairs.stiffness =
+        rift::select(rubs,
+                     pairs.stiffness,
+                     rift::select(keeps, before.stiffness, zero));
+      result.friction_loss =
+        rift::select(rubs,
+                     result.friction_loss,
+                     rift::select(is_pressed, zero, before.spring_energy()));
+      result.damping_loss = rift::select(is_pressed, result.damping_loss, zero);
+      result.energy =
+        rift::select(rubs,
+                     elastic_energy + pairs.spring_energy(),
+                     rift::select(result.overlaps, elastic_energy, zero));
+      result.is_too_deep &= result.overlaps;
+
+      const Vector3<Simd> damper = damping_force * normal;
+      const Vector3<Simd> added =
+        select(rubs, damper - pairs.stiffness * pairs.slip, damper);
+      for (unsigned int c = 0; c < 4; ++c)
+        {
+          result.on_a[c] =
+            select(is_pressed,
+                   result.on_a[c] + common.weights_a[c] * added,
+                   select(result.overlaps, result.on_a[c], none));
+          result.on_b[c] =
+            select(is_pressed,
+                   result.on_b[c] - common.weights_b[c] * added,
+                   select(result.overlaps, result.on_b[c], none));
+        }
+      rift_check(cancel(result, common.volume_fraction));
+      return result;
+    }
+  } // namespace
+
+  void
+  PairKernel::compute(const PackedMotion *cells,
+                      ContactPair        *pairs,
+                      const unsigned int  n,
+                      const double        time_step,
+                      PairForces         *forces)
+  {
+    rift_check(n <= chunk_size);
+    std::array<CellPair, chunk_size> names{};
+    for (unsigned int i = 0; i < n; ++i)
+      names[i] = pairs[i].cells;
+    const OverlapOctet *common = overlaps.intersect(cells, names.data(), n);
+    for (unsigned int first = 0; first < n; first += batch_size)
       {
-        result.friction_loss = slide(normal,
-                                     elastic + damping_force,
-                                     stiffness_ratio * stiffness,
-                                     constants.friction,
-                                     time_step * across(velocity, normal),
-                                     memory);
-        result.energy += spring_energy(memory);
-        added -= memory.stiffness * memory.slip;
+        const unsigned int n_here = std::min(batch_size, n - first);
+        PairBatch          batch(pairs + first, n_here);
+        apply_law(cells, common[first / batch_size], time_step, batch)
+          .write(forces + first, n_here);
+        batch.write_memory(pairs + first, n_here);
       }
-    for (unsigned int c = 0; c < 4; ++c)
-      {
-        result.on_a[c] += common.weights_a[c] * added;
-        result.on_b[c] -= common.weights_b[c] * added;
-      }
-    rift_check(cancel(result, common.volume_fraction));
-    return result;
   }
 } // namespace rift

@@ -50,16 +50,19 @@ namespace rift
     const std::vector<MaterialParameters> &materials) const
   {
     communicator.collectively([&] {
-      OverlapBatch batch;
+      std::vector<CellPair> pairs;
       for (const ContactPair &pair : in_play)
+        pairs.push_back(pair.cells);
+      const std::vector<CommonPart> parts =
+        common_parts(members.motions(), pairs);
+      for (std::size_t i = 0; i < pairs.size(); ++i)
         {
-          const auto common = batch.overlap(members.motions(), pair.cells);
-          if (common.volume_fraction > largest_overlap_at_start)
+          if (parts[i].volume_fraction > largest_overlap_at_start)
             throw InputError("bodies lie in each other at the start: " +
-                             describe(members[pair.cells.a].cell, materials) +
+                             describe(members[pairs[i].a].cell, materials) +
                              " and " +
-                             describe(members[pair.cells.b].cell, materials) +
-                             " have " + short_text(common.volume) +
+                             describe(members[pairs[i].b].cell, materials) +
+                             " have " + short_text(parts[i].volume) +
                              " m^3 in common. Move them apart in the mesh, or "
                              "set \"Contact = false\" in subsection Contact.");
         }

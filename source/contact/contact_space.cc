@@ -125,8 +125,9 @@ namespace rift
             "different size meet: look at the last results in ParaView.");
         for (const std::uint32_t j : found)
           if (j != i && is_found_here(j) &&
-              division.rank_of(lower_corner_of_common_box(
-                boxes.box(i), boxes.box(j))) == rank &&
+              division.rank_of(
+                lower_corner_of_common_box(boxes.box(i), boxes.box(j))) ==
+                rank &&
               may_touch(i, j))
             pairs.push_back(guests[i].cell.cell < guests[j].cell.cell ?
                               CellPair{i, j} :

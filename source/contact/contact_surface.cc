@@ -181,7 +181,9 @@ namespace rift
   }
 
   Tetrahedron
-  positions_of(const Topology &topology, const State &state, const CellIndex cell)
+  positions_of(const Topology &topology,
+               const State    &state,
+               const CellIndex cell)
   {
     Tetrahedron positions;
     for (unsigned int c = 0; c < n_corners; ++c)
@@ -194,8 +196,7 @@ namespace rift
   {
     CellMotion motion{positions_of(topology, state, cell), {}};
     for (unsigned int c = 0; c < n_corners; ++c)
-      motion.velocities[c] =
-        state.velocity[topology.node(cell, c)].vector();
+      motion.velocities[c] = state.velocity[topology.node(cell, c)].vector();
     return motion;
   }
 } // namespace rift

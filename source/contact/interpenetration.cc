@@ -1,5 +1,6 @@
 #include <rift/contact/contact_surface.h>
 #include <rift/contact/interpenetration.h>
+#include <rift/contact/overlap_batch.h>
 #include <rift/contact/rendezvous.h>
 
 #include <algorithm>
@@ -49,6 +50,15 @@ namespace rift
     const ContactNeighbourhood found =
       rendezvous.update(surface_cells(topology, state, rank));
 
+    std::vector<PackedMotion> cells;
+    for (const ContactCell &cell : found.cells)
+      cells.push_back(pack(cell.positions));
+    std::vector<CellPair> pairs;
+    for (const CellPair &pair : found.pairs)
+      if (found.cells[pair.a].owner == rank)
+        pairs.push_back(pair);
+    const std::vector<CommonPart> parts = common_parts(cells.data(), pairs);
+
     struct Deepest
     {
       double          part;
@@ -61,14 +71,11 @@ namespace rift
     };
     Deepest      deepest{0, invalid_index, invalid_index, {}};
     std::int64_t n_pairs = 0;
-    OverlapBatch batch;
-    for (const CellPair &pair : found.pairs)
+    for (std::size_t i = 0; i < pairs.size(); ++i)
       {
-        const ContactCell &a = found.cells[pair.a], &b = found.cells[pair.b];
-        if (a.owner != rank)
-          continue;
-        const double part =
-          batch.overlap(a.positions, b.positions).volume_fraction;
+        const ContactCell &a = found.cells[pairs[i].a],
+                          &b = found.cells[pairs[i].b];
+        const double part    = parts[i].volume_fraction;
         if (part <= Interpenetration::tolerated_part)
           continue;
         ++n_pairs;

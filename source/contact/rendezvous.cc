@@ -55,8 +55,7 @@ namespace rift
       numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
       const auto position = [&](const std::uint32_t number) {
         return static_cast<std::uint32_t>(
-          std::lower_bound(
-            numbers.begin(), numbers.end(), number, is_before) -
+          std::lower_bound(numbers.begin(), numbers.end(), number, is_before) -
           numbers.begin());
       };
       ContactNeighbourhood result;
@@ -87,12 +86,11 @@ namespace rift
                   cells.end());
       const auto position = [&cells](const ContactCell &cell) {
         return static_cast<std::uint32_t>(
-          std::lower_bound(cells.begin(),
-                           cells.end(),
-                           cell,
-                           [](const auto &a, const auto &b) {
-                             return a.cell < b.cell;
-                           }) -
+          std::lower_bound(
+            cells.begin(),
+            cells.end(),
+            cell,
+            [](const auto &a, const auto &b) { return a.cell < b.cell; }) -
           cells.begin());
       };
       for (const ContactNeighbourhood &part : parts)
@@ -143,9 +141,8 @@ namespace rift
     if (is_new)
       largest_number_at_first = std::max(1., largest_number);
 
-    ContactNeighbourhood result = communicator.size() > 1 ?
-                                    return_pairs(pairs) :
-                                    select(space, pairs);
+    ContactNeighbourhood result =
+      communicator.size() > 1 ? return_pairs(pairs) : select(space, pairs);
     rift_check(do_ascend(result.cells) && do_ascend(result.pairs));
     return result;
   }
@@ -165,9 +162,9 @@ namespace rift
     std::map<int, std::vector<int>> views;
     for (const ContactCell &cell : news)
       {
-        std::vector<int>       now   = division.ranks_of(box_around(cell));
-        std::vector<int>      &place = places[cell.cell];
-        std::vector<int>       told;
+        std::vector<int>  now   = division.ranks_of(box_around(cell));
+        std::vector<int> &place = places[cell.cell];
+        std::vector<int>  told;
         std::set_union(now.begin(),
                        now.end(),
                        place.begin(),

@@ -29,8 +29,8 @@ namespace rift
         x[c] = state.reference[topology.node(cell, c)].vector();
       double largest = 0;
       for (const auto &f : face_corners)
-        largest = std::max(largest,
-                           norm(cross(x[f[1]] - x[f[0]], x[f[2]] - x[f[0]])));
+        largest =
+          std::max(largest, norm(cross(x[f[1]] - x[f[0]], x[f[2]] - x[f[0]])));
       return dot(cross(x[1] - x[0], x[2] - x[0]), x[3] - x[0]) / largest;
     }
   } // namespace
@@ -61,13 +61,12 @@ namespace rift
         if (watched_at[vertex] == invalid_index)
           {
             double height = never;
-            std::for_each(topology.vertex_cells_first(vertex),
-                          topology.vertex_cells_last(vertex),
-                          [&](const CellIndex cell) {
-                            height =
-                              std::min(height,
-                                       least_height(topology, state, cell));
-                          });
+            std::for_each(
+              topology.vertex_cells_first(vertex),
+              topology.vertex_cells_last(vertex),
+              [&](const CellIndex cell) {
+                height = std::min(height, least_height(topology, state, cell));
+              });
             watched_at[vertex] = static_cast<std::uint32_t>(watched.size());
             watched.push_back({vertex, distance * height, 0});
           }
@@ -150,12 +149,10 @@ namespace rift
     double              slack    = never;
     for (auto first = members.begin(); first != members.end();)
       {
-        const auto last =
-          std::stable_partition(first,
-                                members.end(),
-                                [group = first->group](const Member &m) {
-                                  return m.group == group;
-                                });
+        const auto last = std::stable_partition(
+          first,
+          members.end(),
+          [group = first->group](const Member &m) { return m.group == group; });
         slack = std::min(slack, divide_group(first, last, w.limit, n_groups));
         first = last;
       }
@@ -170,12 +167,10 @@ namespace rift
       [&](const CellIndex cell) {
         const NodeIndex node =
           topology.node(cell, topology.corner_at_vertex(cell, w.vertex));
-        *group++ = std::find_if(members.begin(),
-                                members.end(),
-                                [node](const Member &m) {
-                                  return m.node == node;
-                                })
-                     ->group;
+        *group++ =
+          std::find_if(members.begin(), members.end(), [node](const Member &m) {
+            return m.node == node;
+          })->group;
       });
     return true;
   }

@@ -1,14 +1,14 @@
 // Contact of two tetrahedra: energy on closed paths, birth with an overlap,
 // Coulomb's friction, damping.
 
-#include <rift/contact/contact_pair.h>
-
+#include "../support/single_pair.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
 using namespace rift;
+using namespace rift::test;
 
 namespace
 {
@@ -48,11 +48,11 @@ namespace
   }
 
   Vector3<double>
-  sum(const std::array<Vector3<double>, 4> &forces)
+  sum(const NodalVector (&forces)[4])
   {
     Vector3<double> total{};
-    for (const auto &f : forces)
-      total += f;
+    for (const NodalVector &f : forces)
+      total += f.vector();
     return total;
   }
 
@@ -109,7 +109,7 @@ TEST(ContactPair, GivesBackTheWorkOnClosedPaths)
           for (unsigned int k = 0; k < 2; ++k)
             for (unsigned int c = 0; c < 4; ++c)
               work +=
-                weight * dot((k == 0 ? forces.on_a : forces.on_b)[c],
+                weight * dot((k == 0 ? forces.on_a : forces.on_b)[c].vector(),
                              (1 / 12e-4) * (8. * (after[k][c] - before[k][c]) -
                                             (far_a[k][c] - far_b[k][c])));
         }

@@ -1,13 +1,14 @@
 // That contact adds no more to the squares of frequencies than it may.
 
-#include <rift/contact/contact_pair.h>
 #include <rift/contact/contact_penalty.h>
 
+#include "../support/single_pair.h"
 #include <gtest/gtest.h>
 
 #include <random>
 
 using namespace rift;
+using namespace rift::test;
 
 namespace
 {
@@ -71,13 +72,13 @@ namespace
         }
       for (unsigned int b = 1; b < 5; ++b)
         {
-          ContactMemory       memory;
-          const ContactForces pair =
+          ContactMemory    memory;
+          const PairForces pair =
             pair_forces(motions[0], motions[b], {penalty, 0, 0, 1}, 0, memory);
           for (unsigned int c = 0; c < 4; ++c)
             {
-              result[c] += pair.on_a[c];
-              result[4 * b + c] += pair.on_b[c];
+              result[c] += pair.on_a[c].vector();
+              result[4 * b + c] += pair.on_b[c].vector();
             }
         }
       return result;

@@ -2,10 +2,10 @@
 
 #include <rift/contact/contact_surface.h>
 #include <rift/contact/interpenetration.h>
-#include <rift/contact/overlap.h>
 
 #include "../support/distributed_body.h"
 #include "../support/random_cuts.h"
+#include "../support/single_pair.h"
 #include <gtest/gtest.h>
 
 #include <random>

@@ -1,14 +1,16 @@
 // Overlap of two tetrahedra: closed forms, brute force, the gradient by finite
 // differences, and that it has neither force nor torque.
 
-#include <rift/contact/overlap.h>
+#include <rift/contact/separation.h>
 
+#include "../support/single_pair.h"
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
 using namespace rift;
+using namespace rift::test;
 
 namespace
 {

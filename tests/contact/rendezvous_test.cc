@@ -107,8 +107,8 @@ namespace
         for (std::size_t j = i + 1; j < all.size(); ++j)
           {
             const ContactCell &a = all[i], &b = all[j];
-            if (!is_new.empty() && !(is_there[i] && is_there[j] &&
-                                     (is_new[i] || is_new[j])))
+            if (!is_new.empty() &&
+                !(is_there[i] && is_there[j] && (is_new[i] || is_new[j])))
               continue;
             if ((is_seen(a) || is_seen(b)) && !are_bonded(a, b) &&
                 boxes_overlap(box_around(a), box_around(b)) &&
@@ -133,10 +133,10 @@ namespace
     void
     move(ContactCell &cell)
     {
-      const double size = engine() % 3 == 0 ? 1 : .05;
+      const double                           size = engine() % 3 == 0 ? 1 : .05;
       std::uniform_real_distribution<double> uniform(-size, size);
       const Vector3<double>                  by = {
-        {uniform(engine), uniform(engine), uniform(engine)}};
+                         {uniform(engine), uniform(engine), uniform(engine)}};
       for (Vector3<double> &x : cell.positions)
         x += by;
     }
@@ -216,8 +216,7 @@ TEST(Rendezvous, FindsThePairsOfWhatIsNew)
               is_new[i]   = is_moved || (needs_all && is_there[i]);
               is_there[i] = is_there[i] || is_new[i];
             }
-          const auto pairs =
-            named(rendezvous.update(cloud.own(is_new)), cloud);
+          const auto pairs = named(rendezvous.update(cloud.own(is_new)), cloud);
           const auto expected = cloud.brute_force(is_there, is_new);
           n_pairs += static_cast<std::int64_t>(expected.size());
           EXPECT_EQ(pairs, expected) << seed;

@@ -113,8 +113,7 @@ namespace
         has_changed = false;
         for (Corner &x : corners)
           for (Corner &y : corners)
-            if (x.vertex == y.vertex && x.before == y.before &&
-                y.now < x.now &&
+            if (x.vertex == y.vertex && x.before == y.before && y.now < x.now &&
                 norm(x.u - y.u) <=
                   LooseBox::opening * height_at(box.body, x.vertex))
               {

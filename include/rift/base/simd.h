@@ -5,6 +5,11 @@
 #include <rift/base/vector3.h>
 
 #include <cmath>
+#include <cstring>
+
+#ifdef __AVX512DQ__
+#include <immintrin.h>
+#endif
 
 /**
  * @file
@@ -89,6 +94,31 @@ namespace rift
     return bits != 0;
   }
 
+  /** Bit `lane` of the result is the sign of that lane: lanes where a mask is
+   * true. */
+  inline unsigned int
+  sign_bits(const SimdMask &mask)
+  {
+#ifdef __AVX512DQ__
+    return _mm512_movepi64_mask(reinterpret_cast<__m512i>(mask));
+#else
+    unsigned int bits = 0;
+    for (unsigned int lane = 0; lane < batch_size; ++lane)
+      bits |= static_cast<unsigned int>(mask[lane] < 0) << lane;
+    return bits;
+#endif
+  }
+
+  /** The mask that is true in the lanes whose bits are set: the inverse of
+   * sign_bits(). */
+  inline SimdMask
+  mask_of(const unsigned int bits)
+  {
+    static_assert(batch_size == 8, "one shift for each of eight lanes");
+    const SimdMask shifts = {63, 62, 61, 60, 59, 58, 57, 56};
+    return ((SimdMask{} + bits) << shifts) < 0;
+  }
+
   /** The mask itself, so that a law has one text for double and Simd. */
   inline bool
   any(const bool mask)
@@ -143,6 +173,102 @@ namespace rift
     Simd result{};
     for (unsigned int lane = 0; lane < batch_size; ++lane)
       result[lane] = __builtin_sqrt(a[lane]);
+    return result;
+  }
+
+  /** Reads a number for each lane from anywhere. */
+  inline Simd
+  load(const double *data)
+  {
+    Simd result;
+    std::memcpy(&result, data, sizeof(result));
+    return result;
+  }
+
+  /** Writes the numbers of all lanes to anywhere. */
+  inline void
+  store(const Simd &value, double *data)
+  {
+    std::memcpy(data, &value, sizeof(value));
+  }
+
+  /** For each set of lanes, bit by bit, their numbers in ascending order. */
+  struct LaneOrders
+  {
+    constexpr LaneOrders()
+      : lanes{}
+    {
+      for (unsigned int bits = 0; bits < 1 << batch_size; ++bits)
+        for (unsigned int lane = 0, n = 0; lane < batch_size; ++lane)
+          if (bits >> lane & 1)
+            lanes[bits][n++] = static_cast<std::int8_t>(lane);
+    }
+
+    /** Lanes that follow the last one of a set are 0. */
+    alignas(64) std::int8_t lanes[1 << batch_size][batch_size];
+  };
+
+  /** Moves the lanes of a set to the front. */
+  class LanePacking
+  {
+  public:
+    /** @param bits of the set. */
+    explicit LanePacking(const unsigned int bits)
+    {
+      using Bytes = std::int8_t __attribute__((vector_size(batch_size)));
+      Bytes bytes;
+      std::memcpy(&bytes, orders.lanes[bits], sizeof(bytes));
+      order = __builtin_convertvector(bytes, SimdMask);
+    }
+
+    /** Lanes that follow the last one of the set have any of the numbers. */
+    Simd
+    operator()(const Simd &value) const
+    {
+#ifdef __clang__
+      Simd result;
+      for (unsigned int lane = 0; lane < batch_size; ++lane)
+        result[lane] = value[order[lane]];
+      return result;
+#else
+      return __builtin_shuffle(value, order);
+#endif
+    }
+
+  private:
+    static constexpr LaneOrders orders{};
+
+    SimdMask order;
+  };
+
+  /** Eight numbers of each lane, as rows or as columns. */
+  inline std::array<Simd, 8>
+  transpose(const std::array<Simd, 8> &r)
+  {
+    static_assert(batch_size == 8, "the shuffles below are for eight lanes");
+    std::array<Simd, 8> t, u, result;
+    for (unsigned int i = 0; i < 8; i += 2)
+      {
+        t[i] =
+          __builtin_shufflevector(r[i], r[i + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        t[i + 1] =
+          __builtin_shufflevector(r[i], r[i + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+      }
+    for (unsigned int i = 0; i < 8; i += 4)
+      for (unsigned int j = i; j < i + 2; ++j)
+        {
+          u[j] =
+            __builtin_shufflevector(t[j], t[j + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+          u[j + 2] =
+            __builtin_shufflevector(t[j], t[j + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+        }
+    for (unsigned int j = 0; j < 4; ++j)
+      {
+        result[j] =
+          __builtin_shufflevector(u[j], u[j + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        result[j + 4] =
+          __builtin_shufflevector(u[j], u[j + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+      }
     return result;
   }
 

@@ -2,7 +2,7 @@
 #define rift_contact_contact_cell_h
 
 #include <rift/base/types.h>
-#include <rift/contact/contact_pair.h>
+#include <rift/contact/cell_motion.h>
 
 namespace rift
 {

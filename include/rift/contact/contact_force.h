@@ -4,6 +4,7 @@
 #include <rift/base/archive.h>
 #include <rift/base/exact_sum.h>
 #include <rift/contact/contact_members.h>
+#include <rift/contact/contact_pair.h>
 #include <rift/contact/contact_surface.h>
 #include <rift/contact/rendezvous.h>
 #include <rift/contact/sleeping_pairs.h>

@@ -123,7 +123,7 @@ namespace rift
     std::uint64_t              n_exchanges = 1;
     std::vector<std::uint64_t> packed_after;
 
-    std::vector<Partner>                               receivers, senders;
+    std::vector<Partner> receivers, senders;
   };
 } // namespace rift
 

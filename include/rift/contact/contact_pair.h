@@ -1,19 +1,10 @@
 #ifndef rift_contact_contact_pair_h
 #define rift_contact_contact_pair_h
 
-#include <rift/contact/overlap.h>
-#include <rift/contact/packed_motion.h>
+#include <rift/contact/overlap_batch.h>
 
 namespace rift
 {
-  /** Where the corners of a cell are, m, and their velocities, m/s. */
-  struct CellMotion
-  {
-    /** Of the four corners. */
-    Tetrahedron                    positions;
-    std::array<Vector3<double>, 4> velocities;
-  };
-
   /** What two cells that touch depend on. */
   struct ContactConstants
   {
@@ -45,27 +36,42 @@ namespace rift
     double damping_force = 0;
   };
 
-  /** What a pair does in a step. */
-  struct ContactForces
+  /** Two cells that may overlap, and what they remember. */
+  struct ContactPair
   {
-    /** Whether they overlap; all else is zero if not, but for losses. */
-    bool touches = false;
+    CellPair         cells;
+    ContactConstants constants;
+    ContactMemory    memory;
+  };
+
+  static_assert(sizeof(ContactPair) == 11 * 8,
+                "pairs are many: two indices, four constants, six numbers");
+
+  /** What a pair does in a step. */
+  struct PairForces
+  {
+    /** Forces on the corners of both cells, N. */
+    NodalVector on_a[4], on_b[4];
+
+    /** Elastic energies of overlap and spring now, J. */
+    double energy;
+
+    /** Energies that friction and damping have used up since the step before,
+     * J. */
+    double friction_loss, damping_loss;
+
+    /** Whether they have a volume in common; all else is zero if not, but for
+     * losses. */
+    bool overlaps;
+
+    /** Whether the overlap or the spring has energy. */
+    bool touches;
 
     /** Whether so deep that the potential will soon fall again: the mean of
      * least coordinates over the overlap is above `largest_mean_potential`, or
      * more than `largest_volume_fraction` of a cell is inside of the other. Not
      * of pairs that were born with an overlap. */
-    bool is_too_deep = false;
-
-    /** Forces on the corners of both cells, N. */
-    std::array<Vector3<double>, 4> on_a{}, on_b{};
-
-    /** Elastic energies of overlap and spring now, J. */
-    double energy = 0;
-
-    /** Energies that friction and damping have used up since the step before,
-     * J. */
-    double friction_loss = 0, damping_loss = 0;
+    bool is_too_deep;
   };
 
   /** Of faces that lie flat upon each other, the depth over the height. The
@@ -77,7 +83,7 @@ namespace rift
   constexpr double largest_volume_fraction = .9;
 
   /**
-   * Contact of two tetrahedra (doc/theory.md, section 8).
+   * Contact of pairs of tetrahedra (doc/theory.md, section 8).
    *
    * Overlap costs the energy p (Phi - Phi_0)^2 / (Phi + 3 Phi_0), eq. 26: of an
    * overlap from the outside, Phi_0 = 0, this is Munjiza's potential contact,
@@ -92,91 +98,30 @@ namespace rift
    * Damping resists the approach of the two cells and their parting, at most
    * with what makes the overlap free of force: it never pulls.
    *
-   * @param time_step since the memory was updated last, s; 0 at the start.
+   * Eight pairs are computed at once. A pair has the same bits in any company.
    */
-  ContactForces
-  pair_forces(const CellMotion       &a,
-              const CellMotion       &b,
-              const ContactConstants &constants,
-              double                  time_step,
-              ContactMemory          &memory);
-  inline PackedMotion
-  pack(const CellMotion &m)
-  {
-    PackedMotion p;
-    for (int i = 0; i < 4; ++i)
-      for (int d = 0; d < 3; ++d)
-        {
-          p.position[i][d] = m.positions[i][d];
-          p.velocity[i][d] = m.velocities[i][d];
-        }
-    return p;
-  }
-  inline CellMotion
-  unpack(const PackedMotion &p)
-  {
-    CellMotion m;
-    for (int i = 0; i < 4; ++i)
-      {
-        m.positions[i]  = p.position[i].vector();
-        m.velocities[i] = p.velocity[i].vector();
-      }
-    return m;
-  }
-  struct ContactPair
-  {
-    CellPair         cells;
-    ContactConstants constants;
-    ContactMemory    memory;
-  };
-  struct PairForces
-  {
-    NodalVector on_a[4], on_b[4];
-    double      energy, friction_loss, damping_loss;
-    bool        overlaps, touches, is_too_deep;
-  };
-  class OverlapBatch
+  class PairKernel
   {
   public:
-    Overlap
-    overlap(const PackedMotion *m, const CellPair &p)
-    {
-      return rift::overlap(unpack(m[p.a]).positions, unpack(m[p.b]).positions);
-    }
-    Overlap
-    overlap(const Tetrahedron &a, const Tetrahedron &b)
-    {
-      return rift::overlap(a, b);
-    }
-  };
-  class PairKernel : public OverlapBatch
-  {
-  public:
-    static constexpr unsigned int chunk_size = 64;
+    /** Largest number of pairs of a call. */
+    static constexpr unsigned int chunk_size = OverlapBatch::chunk_size;
+
+    /**
+     * @param cells that the pairs are of.
+     * @param[in,out] pairs of which the memories are updated.
+     * @param n of pairs, at most `chunk_size`.
+     * @param time_step since the memories were updated last, s; 0 at the start.
+     * @param[out] forces of each pair.
+     */
     void
     compute(const PackedMotion *cells,
             ContactPair        *pairs,
             unsigned int        n,
             double              time_step,
-            PairForces         *forces)
-    {
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          const auto f = pair_forces(unpack(cells[pairs[i].cells.a]), unpack(cells[pairs[i].cells.b]),
-                                     pairs[i].constants, time_step, pairs[i].memory);
-          for (int c = 0; c < 4; ++c)
-            for (int d = 0; d < 3; ++d)
-              {
-                forces[i].on_a[c][d] = f.on_a[c][d];
-                forces[i].on_b[c][d] = f.on_b[c][d];
-              }
-          forces[i].energy = f.energy;
-          forces[i].friction_loss = f.friction_loss;
-          forces[i].damping_loss = f.damping_loss;
-          forces[i].overlaps = forces[i].touches = f.touches;
-          forces[i].is_too_deep = f.is_too_deep;
-        }
-    }
+            PairForces         *forces);
+
+  private:
+    OverlapBatch overlaps;
   };
 } // namespace rift
 

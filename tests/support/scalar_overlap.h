@@ -1,12 +1,41 @@
+#ifndef rift_tests_support_scalar_overlap_h
+#define rift_tests_support_scalar_overlap_h
+
 #include <rift/base/simd.h>
-#include <rift/contact/overlap.h>
+#include <rift/contact/cell_motion.h>
 
 #include <algorithm>
 #include <limits>
 
-namespace rift
+// The overlap of two tetrahedra one pair at a time, by recursion: the oracle of
+// OverlapBatch.
+namespace rift::test
 {
-  namespace
+  /** What two tetrahedra A and B have in common. */
+  struct Overlap
+  {
+    /**
+     * Munjiza's potentials integrated over the overlap, m^3:
+     * sum over A and B of the least of the four barycentric coordinates, which
+     * is zero on the surface of a tetrahedron and 1/4 at its centroid
+     * (doc/theory.md, eq. 24). Times the penalty it is the contact energy.
+     */
+    double potential = 0;
+
+    /** Derivatives of the potential by the corners of A and of B, m^2. They
+     * are what pulls them together; as a whole they have neither force nor
+     * torque. */
+    std::array<Vector3<double>, 4> gradient_a{}, gradient_b{};
+
+    /** m^3, and over the volume of the smaller one of the two. */
+    double volume = 0, volume_fraction = 0;
+
+    /** The centroid of the overlap as means of the corners of A and of B with
+     * these weights. */
+    std::array<double, 4> weights_a{}, weights_b{};
+  };
+
+  namespace scalar
   {
     /** Overlaps of this share of the smaller tetrahedron, at a corner a depth
      * of 1e-10 of its height, are nothing but rounding. */
@@ -165,7 +194,7 @@ namespace rift
     };
 
     /** Adds a simplex that is in all half-spaces. */
-    void
+    inline void
     add(const Simplex &simplex, const double volume, Part &part)
     {
       const auto &[p0, p1, p2, p3] = simplex;
@@ -184,7 +213,7 @@ namespace rift
      *
      * @param volume of the simplex, m^3.
      */
-    void
+    inline void
     clip(const Simplex &simplex, const double volume, Part &part)
     {
       if (volume == 0)
@@ -248,7 +277,7 @@ namespace rift
     }
 
     /** Whether all corners are on the outer side of a face of the other. */
-    bool
+    inline bool
     is_outside(const Corners &c)
     {
       const Mask is_inside = (c[0] > 0) | (c[1] > 0) | (c[2] > 0) | (c[3] > 0);
@@ -264,7 +293,7 @@ namespace rift
      * Gauss is again an integral over the volume (doc/theory.md, eq. 25). So
      * volumes and centroids of the parts are all that is needed.
      */
-    Part
+    inline Part
     add_potential(const Frame                    &a,
                   const Frame                    &b,
                   const Corners                  &corners_in_b,
@@ -314,43 +343,14 @@ namespace rift
           }
       return whole;
     }
-  } // namespace
+  } // namespace scalar
 
-  FacePlanes::FacePlanes(const Tetrahedron &t)
-    : origin(t[0])
+  /** Intersects two tetrahedra, exactly but for rounding. All is zero if they
+   * have no volume in common. */
+  inline Overlap
+  scalar_overlap(const Tetrahedron &a, const Tetrahedron &b)
   {
-    // Barycentric coordinates over their gradients.
-    const Frame frame(t);
-    distances = frame.coordinates(origin);
-    for (unsigned int i = 0; i < 4; ++i)
-      {
-        const double scale =
-          -1 / norm(Vector3<double>{{frame.gradients[0][i],
-                                     frame.gradients[1][i],
-                                     frame.gradients[2][i]}});
-        distances[i] *= scale;
-        for (unsigned int d = 0; d < 3; ++d)
-          normals[d][i] = scale * frame.gradients[d][i];
-      }
-  }
-
-  double
-  FacePlanes::distance_to(const Tetrahedron &other) const
-  {
-    Row nearest = Row{} + std::numeric_limits<double>::max();
-    for (const Vector3<double> &x : other)
-      {
-        Row distance = distances;
-        for (unsigned int d = 0; d < 3; ++d)
-          distance += (x[d] - origin[d]) * normals[d];
-        nearest = nearest < distance ? nearest : distance;
-      }
-    return std::max({nearest[0], nearest[1], nearest[2], nearest[3]});
-  }
-
-  Overlap
-  overlap(const Tetrahedron &a, const Tetrahedron &b)
-  {
+    using namespace scalar;
     const Frame   frame_b(b);
     const Corners corners_a = frame_b.coordinates(a);
     Overlap       result;
@@ -385,4 +385,6 @@ namespace rift
       }
     return result;
   }
-} // namespace rift
+} // namespace rift::test
+
+#endif
