@@ -39,14 +39,17 @@ namespace rift
       return largest;
     }
 
-    /** The square of the largest speed of any node here, m^2/s^2. */
+    /** No node here is faster, m/s: by the largest components of all. */
     double
-    largest_speed_squared(const State &state)
+    bound_of_speeds(const State &state)
     {
-      double largest = 0;
+      Row largest{};
       for (const NodalVector &v : state.velocity)
-        largest = std::max(largest, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-      return largest;
+        {
+          const Row squares = v.row() * v.row();
+          largest           = largest > squares ? largest : squares;
+        }
+      return std::sqrt(largest[0] + largest[1] + largest[2]);
     }
   } // namespace
 
@@ -86,7 +89,7 @@ namespace rift
   void
   ContactForce::follow(const State &state, const double time_step)
   {
-    const double move = time_step * std::sqrt(largest_speed_squared(state));
+    const double move = time_step * bound_of_speeds(state);
     path += move;
     std::vector<CellIndex> news;
     if (!has_searched)

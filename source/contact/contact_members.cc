@@ -164,7 +164,14 @@ namespace rift
       return;
     rift_check(members[position].cell.owner == communicator.rank());
     packed_after[position] = n_exchanges;
-    packed[position] =
-      rift::pack(motion_of(topology, state, members[position].local));
+    const CellIndex cell   = members[position].local;
+    PackedMotion   &motion = packed[position];
+    for (unsigned int c = 0; c < n_corners; ++c)
+      {
+        const NodeIndex node = topology.node(cell, c);
+        motion.position[c].row() =
+          state.reference[node].row() + state.displacement[node].row();
+        motion.velocity[c] = state.velocity[node];
+      }
   }
 } // namespace rift

@@ -2,6 +2,7 @@
 #include <rift/mesh/mesh_data.h>
 
 #include <algorithm>
+#include <cstring>
 
 namespace rift
 {
@@ -47,21 +48,41 @@ namespace rift
   ContactSurface::look(const State &state, const double path)
   {
     std::vector<CellIndex> news;
-    for (FaceIndex face = 0; face < face_states.size(); ++face)
-      if (const FaceState now = topology.face_states[face];
-          now != face_states[face])
-        {
-          const FaceState before = face_states[face];
-          face_states[face]      = now;
-          groups.watch(state, face);
-          if (now >= first_free && before < first_free)
-            include_beside(face, news);
-        }
+    for (const FaceIndex face : changed_faces())
+      {
+        const FaceState now    = topology.face_states[face];
+        const FaceState before = face_states[face];
+        face_states[face]      = now;
+        groups.watch(state, face);
+        if (now >= first_free && before < first_free)
+          include_beside(face, news);
+      }
     for (const VertexIndex vertex : groups.divide(state, path))
       include_around(vertex, news);
     std::sort(news.begin(), news.end());
     news.erase(std::unique(news.begin(), news.end()), news.end());
     return news;
+  }
+
+  std::vector<FaceIndex>
+  ContactSurface::changed_faces() const
+  {
+    // Few are: by blocks.
+    constexpr std::size_t  block_size = 512;
+    std::vector<FaceIndex> result;
+    for (std::size_t begin = 0; begin < face_states.size(); begin += block_size)
+      {
+        const std::size_t end =
+          std::min(begin + block_size, face_states.size());
+        if (std::memcmp(&face_states[begin],
+                        &topology.face_states[begin],
+                        (end - begin) * sizeof(FaceState)) == 0)
+          continue;
+        for (std::size_t face = begin; face < end; ++face)
+          if (face_states[face] != topology.face_states[face])
+            result.push_back(static_cast<FaceIndex>(face));
+      }
+    return result;
   }
 
   void

@@ -1,5 +1,7 @@
 #include <rift/contact/sleeping_pairs.h>
 
+#include <cstring>
+
 namespace rift
 {
   void
@@ -16,8 +18,15 @@ namespace rift
   SleepingPairs::wake(const double path)
   {
     std::vector<Woken> woken;
+    const auto         all_sleep = [&](const std::size_t begin) {
+      Simd of_eight;
+      std::memcpy(&of_eight, &wakes[begin], sizeof(of_eight));
+      return !any(of_eight <= path);
+    };
     for (std::size_t i = 0; i < wakes.size();)
-      if (wakes[i] > path)
+      if (i + batch_size <= wakes.size() && all_sleep(i))
+        i += batch_size;
+      else if (wakes[i] > path)
         ++i;
       else
         {

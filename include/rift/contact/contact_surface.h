@@ -66,6 +66,10 @@ namespace rift
     load(const State &state, const Archive &archive);
 
   private:
+    /** The faces whose state is another one than at the last look. */
+    std::vector<FaceIndex>
+    changed_faces() const;
+
     /** Takes in a cell if it is of this rank. */
     void
     include(CellIndex cell, std::vector<CellIndex> &news);
