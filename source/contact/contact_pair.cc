@@ -8,9 +8,6 @@ namespace rift
 {
   namespace
   {
-    /** Stiffness of the spring of friction over that of the overlap. */
-    constexpr double stiffness_ratio = 2. / 7;
-
     Vector3<double>
     weighted(const std::array<double, 4>          &weights,
              const std::array<Vector3<double>, 4> &vectors)
@@ -212,7 +209,7 @@ namespace rift
       {
         result.friction_loss = slide(normal,
                                      elastic + damping_force,
-                                     stiffness_ratio * stiffness,
+                                     friction_stiffness_ratio * stiffness,
                                      constants.friction,
                                      time_step * across(velocity, normal),
                                      memory);

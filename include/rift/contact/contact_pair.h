@@ -75,6 +75,10 @@ namespace rift
    * the potential of that one is zero. */
   constexpr double largest_volume_fraction = .9;
 
+  /** Stiffness of the spring of friction over that of the overlap (Xiang,
+   * Latham & Farsi 2016). */
+  constexpr double friction_stiffness_ratio = 2. / 7;
+
   /**
    * Contact of two tetrahedra (doc/theory.md, section 8).
    *
@@ -85,8 +89,8 @@ namespace rift
    *
    * Friction is a spring between the points of the two cells at the centroid of
    * the overlap, whose force is not larger than the coefficient times that of
-   * the overlap (Coulomb). Its stiffness is 2/7 of that of the overlap (Xiang,
-   * Latham & Farsi 2016), the largest there has been.
+   * the overlap (Coulomb). Its stiffness is `friction_stiffness_ratio` times that
+   * of the overlap, the largest there has been.
    *
    * Damping resists the approach of the two cells and their parting, at most
    * with what makes the overlap free of force: it never pulls.
