@@ -86,12 +86,11 @@ namespace rift
       memory.slip                     = turned(memory.slip, normal);
       const Vector3<double> old_force = memory.stiffness * memory.slip;
       const double          before    = spring_energy(memory);
-      // A spring that becomes stiffer keeps its force.
+      // A spring that becomes stiffer keeps its force, one that becomes softer its
+      // elongation: neither makes energy.
       if (stiffness > memory.stiffness)
-        {
-          memory.slip      = (memory.stiffness / stiffness) * memory.slip;
-          memory.stiffness = stiffness;
-        }
+        memory.slip = (memory.stiffness / stiffness) * memory.slip;
+      memory.stiffness = stiffness;
       memory.slip += shift;
       const double length  = norm(memory.slip);
       const double longest = friction * normal_force / memory.stiffness;

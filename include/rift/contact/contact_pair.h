@@ -90,7 +90,7 @@ namespace rift
    * Friction is a spring between the points of the two cells at the centroid of
    * the overlap, whose force is not larger than the coefficient times that of
    * the overlap (Coulomb). Its stiffness is `friction_stiffness_ratio` times that
-   * of the overlap, the largest there has been.
+   * of the overlap.
    *
    * Damping resists the approach of the two cells and their parting, at most
    * with what makes the overlap free of force: it never pulls.
