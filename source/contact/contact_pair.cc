@@ -116,12 +116,12 @@ namespace rift
       memory.initial_potential =
         std::min(memory.initial_potential, common.potential);
       const double initial = memory.initial_potential;
-      const double ratio =
-        (common.potential - initial) / (common.potential + 3 * initial);
-      const double slope = constants.penalty * ratio * (2 - ratio);
+      const double root    = std::sqrt(common.potential);
+      const double excess  = root - std::sqrt(initial);
+      const double slope   = constants.penalty * excess / root;
       rift_check(!(common.potential < 0 || initial < 0 || slope < 0));
       result.touches = true;
-      result.energy  = constants.penalty * ratio * (common.potential - initial);
+      result.energy  = constants.penalty * excess * excess;
       result.is_too_deep =
         initial == 0 &&
         (common.potential > largest_mean_potential * common.volume ||

@@ -82,7 +82,7 @@ namespace rift
   /**
    * Contact of two tetrahedra (doc/theory.md, section 8).
    *
-   * Overlap costs the energy p (Phi - Phi_0)^2 / (Phi + 3 Phi_0), eq. 26: of an
+   * Overlap costs the energy p (sqrt(Phi) - sqrt(Phi_0))^2, eq. 26: of an
    * overlap from the outside, Phi_0 = 0, this is Munjiza's potential contact,
    * and a pair that comes into being with an overlap starts with neither energy
    * nor force. The forces are the derivatives of this energy.
