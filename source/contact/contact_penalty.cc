@@ -113,8 +113,8 @@ namespace rift
   {
     const FaceIndex index = topology.cell_faces[cell][face];
     return index != invalid_index &&
-           (topology.face_states[index] == FaceState::opening ||
-            topology.face_states[index] == FaceState::failed);
+           topology.face_states[index] != FaceState::intact &&
+           topology.face_states[index] != FaceState::released;
   }
 
   double

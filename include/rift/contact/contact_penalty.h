@@ -68,9 +68,9 @@ namespace rift
      * @param topology, reference of the body: referred to from now on.
      * @param spare_stiffness of each cell slot, N/m: mass at a corner times
      *   what is left to the square of a frequency of the loose cell.
-     * @param share_of_bond of a cell's spare stiffness that each acting cohesive
-     *   element takes at a corner: 1/3 in the extrinsic model, 0 where the spare
-     *   stiffness is without them already.
+     * @param share_of_bond of a cell's spare stiffness that the cohesive element of
+     *   each face that has been cut takes at a corner: 1/3 in the extrinsic
+     *   model, 0 where the spare stiffness is without them already.
      */
     ContactStiffnesses(const Topology          &topology,
                        const ReferenceCellData &reference,
@@ -98,7 +98,8 @@ namespace rift
     bool
     is_exposed(CellIndex cell, unsigned int face) const;
 
-    /** Whether a cohesive element acts on a face. */
+    /** Whether a cohesive element acts on a face or may do so from the next
+     * step on. */
     bool
     is_bonded(CellIndex cell, unsigned int face) const;
 
