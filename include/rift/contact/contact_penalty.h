@@ -57,9 +57,8 @@ namespace rift
    * may be touched at the surface of the body and where their cohesive element
    * has been released; elements that act on others have a share of their own.
    *
-   * It looks at the nodes and faces as they are. All of it is local to complete
-   * vertices, so that each cell is the same on all ranks that own or complete
-   * it.
+   * It looks at the nodes and faces as they are. Sums run over the cells around
+   * complete vertices in their order, so that all ranks get the same bits.
    */
   class ContactStiffnesses
   {
