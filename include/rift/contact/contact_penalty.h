@@ -30,7 +30,7 @@ namespace rift
     return density * room / (48 * steepest);
   }
 
-  /** What contact may do to a cell (doc/theory.md, eq. 27). */
+  /** What contact may do to a cell (doc/theory.md, eq. 27a). */
   struct ContactStiffness
   {
     /** Pa/m: traction per depth of overlap that the time step allows at any of
@@ -42,7 +42,7 @@ namespace rift
     double height;
   };
 
-  /** Penalty of a pair of cells, Pa (eq. 27c): the same in either order. */
+  /** Penalty of a pair of cells, Pa (eq. 27b): the same in either order. */
   inline double
   pair_penalty(const ContactStiffness &a, const ContactStiffness &b)
   {
