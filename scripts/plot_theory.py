@@ -416,8 +416,7 @@ def plot_contact():
     left.legend(loc="upper right", frameon=False, fontsize=9)
 
     ratio = np.linspace(1, 8, 400)
-    r = (ratio - 1) / (ratio + 3)
-    right.plot(ratio, r * (2 - r), "C0", label="pair born with $\\Phi_0$ (26)")
+    right.plot(ratio, 1 - np.sqrt(1 / ratio), "C0", label="pair born with $\\Phi_0$ (26)")
     right.plot([0, 8], [1, 1], "C1", label="pair born apart, $\\Phi_0 = 0$")
     right.plot([0, 1], [0, 0], "C0")
     right.axvline(1, color="grey", lw=.6)

@@ -1,7 +1,6 @@
 #include <rift/base/number_text.h>
 #include <rift/base/parameter_text.h>
 #include <rift/contact/contact.h>
-#include <rift/contact/contact_penalty.h>
 #include <rift/solid/cell_frequency.h>
 
 #include <algorithm>
@@ -32,24 +31,46 @@ namespace rift
         std::max(room.stiffness_factor, parameters.stiffness_factor);
   }
 
+  bool
+  Contact::is_driven(const CellIndex cell) const
+  {
+    return !rigid.body.empty() && rigid.body[cell] != invalid_index &&
+           rigid.is_driven[body.topology.material(cell)];
+  }
+
   std::vector<ContactCellConstants>
-  Contact::cell_constants(const StepBound &bound) const
+  Contact::cell_constants() const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     std::vector<ContactCellConstants> constants;
+    for (CellIndex cell = 0; cell < body.topology.n_cell_slots(); ++cell)
+      if (body.topology.is_padding(cell))
+        constants.push_back({0, invalid_index});
+      else if (is_driven(cell))
+        // All of them together are as one body: nothing moves them.
+        constants.push_back({infinity, rigid.n_bodies});
+      else
+        constants.push_back(
+          {body.densities[body.topology.material(cell)] *
+             body.reference[cell / batch_size].volume[cell % batch_size],
+           rigid.body.empty() ? invalid_index : rigid.body[cell]});
+    return constants;
+  }
+
+  std::vector<double>
+  Contact::spare_stiffness(const StepBound &bound) const
+  {
+    std::vector<double> spare;
     for (CellIndex cell = 0; cell < body.topology.n_cell_slots(); ++cell)
       {
         const ReferenceBatch &batch    = body.reference[cell / batch_size];
         const unsigned int    lane     = cell % batch_size;
         const std::uint16_t   material = body.topology.material(cell);
         const double          density  = body.densities[material];
-        const std::uint32_t   of_body =
-          rigid.body.empty() ? invalid_index : rigid.body[cell];
         if (body.topology.is_padding(cell))
-          constants.push_back({0, 0, invalid_index});
-        else if (of_body != invalid_index && rigid.is_driven[material])
-          // All of them together are as one body: nothing moves them.
-          constants.push_back({infinity, infinity, rigid.n_bodies});
+          spare.push_back(0);
+        else if (is_driven(cell))
+          spare.push_back(std::numeric_limits<double>::infinity());
         else
           {
             const double of_cell =
@@ -60,13 +81,11 @@ namespace rift
               (bound.added_frequency_squared ?
                  bound.added_frequency_squared(cell) :
                  0);
-            const double room = bound.frequency_squared - of_cell;
-            constants.push_back({largest_penalty(batch, lane, density, room),
-                                 density * batch.volume[lane],
-                                 of_body});
+            spare.push_back(density * batch.volume[lane] / n_corners *
+                            (bound.frequency_squared - of_cell));
           }
       }
-    return constants;
+    return spare;
   }
 
   std::vector<std::vector<double>>
@@ -85,24 +104,54 @@ namespace rift
   void
   Contact::prepare(Discretization &, const StepBound &bound)
   {
-    ContactForce::Interface interface;
-    interface.cells    = cell_constants(bound);
-    interface.damping  = parameters.damping;
-    interface.friction = friction_table();
+    // A third for each face of a corner where each may get an element.
+    const double share_of_element =
+      fracture != nullptr && fracture->is_extrinsic() ? 1. / 3 : 0;
     if (fracture != nullptr)
       fracture->cohesive_force().leave_failed_faces_to_contact(
         ContactForce::look_interval,
         ContactForce::opening);
-    force.emplace(body.topology, body.communicator, std::move(interface));
+    force.emplace(
+      body.topology,
+      body.communicator,
+      ContactForce::Interface{cell_constants(),
+                              ContactStiffnesses(body.topology,
+                                                 body.reference,
+                                                 spare_stiffness(bound),
+                                                 share_of_element),
+                              friction_table(),
+                              parameters.damping});
   }
 
   std::string
   Contact::description() const
   {
-    const auto [least, largest] = force->penalty_range();
-    return "Contact: penalties of the cells at surfaces from " +
-           short_text(least) + " to " + short_text(largest) +
-           " Pa, as large as the time step allows";
+    // Two equal bodies face to face: 1/k each, under pressure.
+    double       softest = 0, stiffest = 0;
+    ExactSum     sum;
+    std::int64_t n = 0;
+    force->for_each_stiffness(
+      [&](const CellIndex cell, const ContactStiffness &stiffness) {
+        if (is_driven(cell))
+          return;
+        const StiffnessMatrix &c = stiffnesses[body.topology.material(cell)];
+        const double           modulus = (c[0][0] + c[1][1] + c[2][2]) / 3;
+        softest  = std::max(softest, 2 / stiffness.per_area);
+        stiffest = std::max(stiffest, stiffness.per_area / 2);
+        sum.add(2 * modulus / stiffness.per_area);
+        ++n;
+      });
+    ExactSum::sum_over_ranks({&sum}, body.communicator);
+    n        = body.communicator.sum(n);
+    softest  = body.communicator.max(softest);
+    stiffest = body.communicator.max(stiffest);
+    if (n == 0)
+      return "Contact: of driven bodies alone";
+    return "Contact: surfaces that meet face to face approach by 1 m under " +
+           short_text(1 / softest) + " to " + short_text(stiffest) +
+           " Pa, as much as " +
+           short_text(sum.value() / static_cast<double>(n)) +
+           " m of their material, on average; as stiff as the time step allows";
   }
 
   void

@@ -65,25 +65,11 @@ namespace rift
                    return surface.subscribers(
                      this->topology.find_cell(cell.cell));
                  })
+    , face_states(topology)
     , surveyed_at(topology.n_cell_slots(), invalid_index)
     , members(topology, communicator)
   {
     rift_check(this->interface.cells.size() == topology.n_cell_slots());
-  }
-
-  std::pair<double, double>
-  ContactForce::penalty_range() const
-  {
-    double least_inverse = 0, largest = 0;
-    for (const CellIndex cell : surface.cells())
-      {
-        const double penalty = interface.cells[cell].penalty;
-        if (std::isinf(penalty))
-          continue;
-        least_inverse = std::max(least_inverse, 1 / penalty);
-        largest       = std::max(largest, penalty);
-      }
-    return {1 / communicator.max(least_inverse), communicator.max(largest)};
   }
 
   void
@@ -101,13 +87,64 @@ namespace rift
       }
     if (!(path + move < next_survey))
       add_moved(state, time_step, news);
+    update_stiffnesses();
     if (communicator.any(!has_searched || !news.empty()))
       search(state, time_step, std::move(news));
-    members.exchange(state);
+    exchange(state);
     const double told =
       time_step * std::sqrt(members.largest_told_speed_squared());
     path += std::max(0., told - move);
     start_pairs(state);
+  }
+
+  void
+  ContactForce::update_stiffnesses()
+  {
+    // Whether nothing, an element or contact acts on it.
+    const auto kind = [](const FaceState face_state) {
+      return face_state == FaceState::intact  ? 0 :
+             face_state < FaceState::released ? 1 :
+                                                2;
+    };
+    for (const auto &[face, before, now] : face_states.look())
+      if (kind(before) != kind(now))
+        for (const VertexIndex vertex : vertices_of(topology, face))
+          changed_vertices.push_back(vertex);
+    std::vector<CellIndex> cells;
+    for (const VertexIndex vertex : changed_vertices)
+      std::copy_if(topology.vertex_cells_first(vertex),
+                   topology.vertex_cells_last(vertex),
+                   std::back_inserter(cells),
+                   [this](const CellIndex cell) {
+                     return surveyed_at[cell] != invalid_index;
+                   });
+    changed_vertices.clear();
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    for (const CellIndex cell : cells)
+      {
+        ContactStiffness &stiffness = surveyed[surveyed_at[cell]].stiffness;
+        stiffness                   = interface.stiffnesses.of_cell(cell);
+        members.set_stiffness_of(topology.cell_global_indices[cell], stiffness);
+      }
+  }
+
+  void
+  ContactForce::exchange(const State &state)
+  {
+    members.exchange(state, [this](const CellIndex cell) {
+      return surveyed[surveyed_at[cell]].stiffness;
+    });
+    if (members.have_stiffnesses_changed())
+      for (ContactPair &pair : in_play)
+        pair.constants.penalty = penalty_of(pair.cells);
+  }
+
+  double
+  ContactForce::penalty_of(const CellPair &cells) const
+  {
+    return pair_penalty(members[cells.a].cell.stiffness,
+                        members[cells.b].cell.stiffness);
   }
 
   void
@@ -165,6 +202,7 @@ namespace rift
     const double move =
       time_step * largest_speed(motion_of(topology, state, cell));
     result.constants = interface.cells[cell];
+    result.stiffness = interface.stiffnesses.of_cell(cell);
     result.margin =
       std::max(margin_per_size * longest_edge(result.positions), 2 * move);
     next_survey = std::min(next_survey, path + result.margin - move);
@@ -175,7 +213,7 @@ namespace rift
         place = static_cast<std::uint32_t>(surveyed.size());
         surveyed.emplace_back();
       }
-    surveyed[place] = {cell, result.positions, result.margin};
+    surveyed[place] = {cell, result.positions, result.margin, result.stiffness};
     return result;
   }
 
@@ -204,7 +242,7 @@ namespace rift
         const ContactCell &a = neighbourhood.cells[found.a],
                           &b = neighbourhood.cells[found.b];
         rift_check(a.cell < b.cell && a.owner >= 0 && b.owner >= 0);
-        const CellPair pair = {members.take_in(a), members.take_in(b)};
+        const CellPair pair = {take_in(a), take_in(b)};
         rift_check(members[pair.a].local != invalid_index ||
                    members[pair.b].local != invalid_index);
         if (members.connect(pair))
@@ -221,13 +259,25 @@ namespace rift
     members.subscribe();
   }
 
+  std::uint32_t
+  ContactForce::take_in(const ContactCell &cell)
+  {
+    const std::uint32_t position = members.take_in(cell);
+    // What was told of it may be older.
+    if (cell.owner == communicator.rank())
+      members.set_stiffness(
+        position,
+        surveyed[surveyed_at[members[position].local]].stiffness);
+    return position;
+  }
+
   ContactPair
   ContactForce::make_pair(const CellPair &cells) const
   {
     const ContactCell &a = members[cells.a].cell, &b = members[cells.b].cell;
     ContactPair        pair{};
     pair.cells     = cells;
-    pair.constants = {std::min(a.constants.penalty, b.constants.penalty),
+    pair.constants = {penalty_of(cells),
                       interface.friction[a.material][b.material],
                       interface.damping,
                       1 / (1 / a.constants.mass + 1 / b.constants.mass)};

@@ -5,9 +5,20 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace rift
 {
+  namespace
+  {
+    /** What an owner tells of a cell in each step. */
+    struct CellReport
+    {
+      CellMotion       motion;
+      ContactStiffness stiffness;
+    };
+  } // namespace
+
   ContactMembers::ContactMembers(const Topology     &topology,
                                  const Communicator &communicator)
     : topology(topology)
@@ -28,7 +39,13 @@ namespace rift
         packed_after.push_back(0);
       }
     else
-      members[place->second].cell = cell;
+      {
+        // The stiffness is newer here.
+        Member                &member = members[place->second];
+        const ContactStiffness latest = member.cell.stiffness;
+        member.cell                   = cell;
+        member.cell.stiffness         = latest;
+      }
     return place->second;
   }
 
@@ -119,29 +136,57 @@ namespace rift
   }
 
   void
-  ContactMembers::exchange(const State &state)
+  ContactMembers::set_stiffness(const std::uint32_t     position,
+                                const ContactStiffness &stiffness)
+  {
+    ContactStiffness &known = members[position].cell.stiffness;
+    stiffnesses_have_changed |=
+      known.per_area != stiffness.per_area || known.height != stiffness.height;
+    known = stiffness;
+  }
+
+  void
+  ContactMembers::set_stiffness_of(const GlobalCellIndex   cell,
+                                   const ContactStiffness &stiffness)
+  {
+    const auto place = position_by_name.find(cell);
+    if (place != position_by_name.end())
+      set_stiffness(place->second, stiffness);
+  }
+
+  bool
+  ContactMembers::have_stiffnesses_changed()
+  {
+    return std::exchange(stiffnesses_have_changed, false);
+  }
+
+  void
+  ContactMembers::exchange(const State &state, const StiffnessOf &stiffness)
   {
     ++n_exchanges;
     std::map<int, std::string> messages;
     for (const Partner &receiver : receivers)
       {
-        std::vector<CellMotion> motions;
+        std::vector<CellReport> reports;
         for (const CellIndex cell : receiver.cells)
-          motions.push_back(motion_of(topology, state, cell));
-        messages[receiver.rank] = to_bytes(motions);
+          reports.push_back(
+            {motion_of(topology, state, cell), stiffness(cell)});
+        messages[receiver.rank] = to_bytes(reports);
       }
     std::map<int, std::size_t> sizes;
     for (const Partner &sender : senders)
-      sizes[sender.rank] = sender.cells.size() * sizeof(CellMotion);
+      sizes[sender.rank] = sender.cells.size() * sizeof(CellReport);
     const auto received = communicator.exchange(messages, sizes);
     for (const Partner &sender : senders)
       {
-        const auto motions = from_bytes<CellMotion>(received.at(sender.rank));
-        rift_check(motions.size() == sender.cells.size());
-        for (std::size_t i = 0; i < motions.size(); ++i)
+        const auto reports = from_bytes<CellReport>(received.at(sender.rank));
+        rift_check(reports.size() == sender.cells.size());
+        for (std::size_t i = 0; i < reports.size(); ++i)
           {
-            packed[sender.cells[i]]       = rift::pack(motions[i]);
-            packed_after[sender.cells[i]] = n_exchanges;
+            const std::uint32_t position = sender.cells[i];
+            packed[position]             = rift::pack(reports[i].motion);
+            packed_after[position]       = n_exchanges;
+            set_stiffness(position, reports[i].stiffness);
           }
       }
   }

@@ -7,9 +7,6 @@ namespace rift
 {
   namespace
   {
-    /** Stiffness of the spring of friction over that of the overlap. */
-    constexpr double stiffness_ratio = 2. / 7;
-
     /** Constants and memories of eight pairs, lane by lane; those of
      * ContactConstants and ContactMemory. */
     struct PairBatch
@@ -31,6 +28,8 @@ namespace rift
               slip[d][lane] = pair.memory.slip[d];
             stiffness[lane]     = pair.memory.stiffness;
             damping_force[lane] = pair.memory.damping_force;
+            old_penalty[lane]   = pair.memory.penalty;
+            old_energy[lane]    = pair.memory.energy;
           }
       }
 
@@ -41,7 +40,9 @@ namespace rift
           pairs[lane].memory = {initial_potential[lane],
                                 {{slip[0][lane], slip[1][lane], slip[2][lane]}},
                                 stiffness[lane],
-                                damping_force[lane]};
+                                damping_force[lane],
+                                old_penalty[lane],
+                                old_energy[lane]};
       }
 
       Simd
@@ -54,6 +55,7 @@ namespace rift
 
       Simd          penalty, friction, damping, mass;
       Simd          initial_potential, stiffness, damping_force;
+      Simd          old_penalty, old_energy;
       Vector3<Simd> slip;
     };
 
@@ -166,6 +168,27 @@ namespace rift
     }
 
     /**
+     * Takes in that the penalty has changed, which rises only where there was
+     * no force.
+     *
+     * @return of the elastic energy, what is lost with a penalty that falls, J:
+     *   that of the step before must be known, and that of now is result.energy
+     *   (eq. 27c).
+     */
+    Simd
+    soften(PairBatch &pairs, const ForceBatch &result)
+    {
+      const Simd ratio = pairs.penalty / pairs.old_penalty;
+      const Simd loss  = .5 * (1 - ratio) * pairs.old_energy +
+                        .5 * (1 / ratio - 1) * result.energy;
+      const SimdMask is_softer =
+        (pairs.old_energy > 0) & (pairs.penalty < pairs.old_penalty);
+      pairs.old_penalty = pairs.penalty;
+      pairs.old_energy  = result.energy;
+      return rift::select(is_softer, loss, Simd{});
+    }
+
+    /**
      * Sets the elastic forces, energy and depth (eq. 26).
      *
      * @return derivative of the energy by the potential, Pa.
@@ -175,12 +198,15 @@ namespace rift
     {
       const Simd initial      = min(common.potential, pairs.initial_potential);
       pairs.initial_potential = initial;
-      const Simd ratio =
-        (common.potential - initial) / (common.potential + 3 * initial);
-      const Simd slope = pairs.penalty * ratio * (2 - ratio);
+      pairs.penalty           = rift::select(pairs.old_energy > 0,
+                                   min(pairs.penalty, pairs.old_penalty),
+                                   pairs.penalty);
+      const Simd root         = rift::sqrt(common.potential);
+      const Simd excess       = root - rift::sqrt(initial);
+      const Simd slope        = pairs.penalty * excess / root;
       rift_check(!any(result.overlaps &
                       ((common.potential < 0) | (initial < 0) | (slope < 0))));
-      result.energy = pairs.penalty * ratio * (common.potential - initial);
+      result.energy = pairs.penalty * excess * excess;
       result.is_too_deep =
         (initial == 0) &
         ((common.potential > largest_mean_potential * common.volume) |
@@ -236,12 +262,12 @@ namespace rift
       pairs.slip                    = turned(pairs.slip, normal);
       const Vector3<Simd> old_force = pairs.stiffness * pairs.slip;
       const Simd          before    = pairs.spring_energy();
-      // A spring that becomes stiffer keeps its force.
-      const SimdMask is_stiffer = stiffness > pairs.stiffness;
-      pairs.slip                = select(is_stiffer,
+      // A spring that becomes stiffer keeps its force, one that becomes softer
+      // its elongation: neither makes energy.
+      pairs.slip      = select(stiffness > pairs.stiffness,
                           (pairs.stiffness / stiffness) * pairs.slip,
                           pairs.slip);
-      pairs.stiffness = rift::select(is_stiffer, stiffness, pairs.stiffness);
+      pairs.stiffness = stiffness;
       pairs.slip += shift;
       const Simd length  = norm(pairs.slip);
       const Simd longest = pairs.friction * normal_force / pairs.stiffness;
@@ -267,6 +293,7 @@ namespace rift
                  sum_to_one(common.weights_b, result.overlaps));
       const Simd    slope          = press(common, pairs, result);
       const Simd    elastic_energy = result.energy;
+      const Simd    softening_loss = soften(pairs, result);
       Vector3<Simd> force{};
       for (const Vector3<Simd> &f : result.on_a)
         force += f;
@@ -286,7 +313,7 @@ namespace rift
       result.friction_loss =
         slide(normal,
               elastic + damping_force,
-              stiffness_ratio * stiffness,
+              friction_stiffness_ratio * stiffness,
               broadcast(time_step) * across(velocity, normal),
               pairs);
 
@@ -309,7 +336,10 @@ namespace rift
         rift::select(rubs,
                      result.friction_loss,
                      rift::select(is_pressed, zero, before.spring_energy()));
-      result.damping_loss = rift::select(is_pressed, result.damping_loss, zero);
+      result.damping_loss =
+        rift::select(is_pressed, result.damping_loss + softening_loss, zero);
+      pairs.old_penalty = rift::select(is_pressed, pairs.old_penalty, zero);
+      pairs.old_energy  = rift::select(is_pressed, pairs.old_energy, zero);
       result.energy =
         rift::select(rubs,
                      elastic_energy + pairs.spring_energy(),

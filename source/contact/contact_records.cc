@@ -15,6 +15,7 @@ namespace rift
     {
       GlobalCellIndex a, b;
       double          initial_potential, slip[dim], stiffness, damping_force;
+      double          penalty, energy;
     };
 
   } // namespace
@@ -22,7 +23,7 @@ namespace rift
   template <>
   struct HasPlainBytes<PairRecord> : std::true_type
   {
-    static_assert(sizeof(PairRecord) == 2 * 4 + 6 * 8);
+    static_assert(sizeof(PairRecord) == 2 * 4 + 8 * 8);
   };
 
   namespace
@@ -83,7 +84,9 @@ namespace rift
                           pair.memory.initial_potential,
                           {},
                           pair.memory.stiffness,
-                          pair.memory.damping_force};
+                          pair.memory.damping_force,
+                          pair.memory.penalty,
+                          pair.memory.energy};
         std::copy(pair.memory.slip.begin(),
                   pair.memory.slip.end(),
                   record.slip);
@@ -102,7 +105,7 @@ namespace rift
     energies.damping  = archive.read_sum("contact: damping");
     surface.load(state, archive);
     search(state, 0, surface.cells());
-    members.exchange(state);
+    exchange(state);
     start_pairs(state);
 
     std::unordered_map<PairName, ContactMemory> memories;
@@ -112,7 +115,9 @@ namespace rift
         record.initial_potential,
         {{record.slip[0], record.slip[1], record.slip[2]}},
         record.stiffness,
-        record.damping_force};
+        record.damping_force,
+        record.penalty,
+        record.energy};
     // Others have met since their forces were computed last.
     for (ContactPair &pair : in_play)
       pair.memory = memories[name_of(pair.cells)];

@@ -2,7 +2,6 @@
 #include <rift/mesh/mesh_data.h>
 
 #include <algorithm>
-#include <cstring>
 
 namespace rift
 {
@@ -36,7 +35,7 @@ namespace rift
     : topology(topology)
     , first_free(first_free)
     , is_member(topology.n_cell_slots())
-    , face_states(topology.faces.size(), FaceState::intact)
+    , face_states(topology)
     , groups(topology, opening)
   {
     for (CellIndex cell = 0; cell < topology.n_cell_slots(); ++cell)
@@ -48,11 +47,8 @@ namespace rift
   ContactSurface::look(const State &state, const double path)
   {
     std::vector<CellIndex> news;
-    for (const FaceIndex face : changed_faces())
+    for (const auto &[face, before, now] : face_states.look())
       {
-        const FaceState now    = topology.face_states[face];
-        const FaceState before = face_states[face];
-        face_states[face]      = now;
         groups.watch(state, face);
         if (now >= first_free && before < first_free)
           include_beside(face, news);
@@ -62,27 +58,6 @@ namespace rift
     std::sort(news.begin(), news.end());
     news.erase(std::unique(news.begin(), news.end()), news.end());
     return news;
-  }
-
-  std::vector<FaceIndex>
-  ContactSurface::changed_faces() const
-  {
-    // Few are: by blocks.
-    constexpr std::size_t  block_size = 512;
-    std::vector<FaceIndex> result;
-    for (std::size_t begin = 0; begin < face_states.size(); begin += block_size)
-      {
-        const std::size_t end =
-          std::min(begin + block_size, face_states.size());
-        if (std::memcmp(&face_states[begin],
-                        &topology.face_states[begin],
-                        (end - begin) * sizeof(FaceState)) == 0)
-          continue;
-        for (std::size_t face = begin; face < end; ++face)
-          if (face_states[face] != topology.face_states[face])
-            result.push_back(static_cast<FaceIndex>(face));
-      }
-    return result;
   }
 
   void
@@ -167,7 +142,7 @@ namespace rift
   {
     groups.save(archive);
     std::vector<FaceRecord> records;
-    for (FaceIndex face = 0; face < face_states.size(); ++face)
+    for (FaceIndex face = 0; face < topology.faces.size(); ++face)
       if (topology.owns_face(face) && face_states[face] < first_free &&
           topology.face_states[face] >= first_free)
         {
@@ -181,16 +156,16 @@ namespace rift
   ContactSurface::load(const State &state, const Archive &archive)
   {
     groups.load(archive);
-    face_states = topology.face_states;
+    face_states.look();
     for (const FaceRecord &record : archive.read_list<FaceRecord>(
            "contact: faces let go of since the last look"))
       if (const FaceIndex face =
             topology.find_face({record.cell, record.local_face});
           face != invalid_index)
-        face_states[face] = FaceState::intact;
+        face_states.set(face, FaceState::intact);
 
     std::vector<CellIndex> news;
-    for (FaceIndex face = 0; face < face_states.size(); ++face)
+    for (FaceIndex face = 0; face < topology.faces.size(); ++face)
       {
         if (face_states[face] != FaceState::intact)
           groups.watch(state, face);

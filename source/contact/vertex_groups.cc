@@ -1,4 +1,5 @@
 #include <rift/base/check.h>
+#include <rift/contact/known_face_states.h>
 #include <rift/contact/vertex_groups.h>
 #include <rift/mesh/mesh_data.h>
 
@@ -52,10 +53,8 @@ namespace rift
   void
   VertexGroups::watch(const State &state, const FaceIndex face)
   {
-    const Face &f = topology.faces[face];
-    for (const unsigned int corner : face_corners[f.local_faces[0]])
+    for (const VertexIndex vertex : vertices_of(topology, face))
       {
-        const VertexIndex vertex = topology.vertex(f.cells[0], corner);
         if (!topology.is_complete(vertex))
           continue;
         if (watched_at[vertex] == invalid_index)

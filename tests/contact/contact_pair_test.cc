@@ -149,6 +149,30 @@ TEST(ContactPair, BornWithAnOverlapStartsWithoutForceAndEnergy)
             pair_forces(at_rest(lower), at_depth(.1), smooth, 0, fresh).energy);
 }
 
+TEST(ContactPair, BornWithAnOverlapIsNoStifferThanAnyOther)
+{
+  const auto at_depth = [](const double depth) {
+    return moving(upper, {{0, 0, -depth}}, {});
+  };
+  const auto stiffness_at = [&](const double depth, const double initial) {
+    const auto force_at = [&](const double at) {
+      ContactMemory memory;
+      memory.initial_potential = initial;
+      return sum(
+        pair_forces(at_rest(lower), at_depth(at), smooth, 0, memory).on_b)[2];
+    };
+    const double h = 1e-6;
+    return (force_at(depth + h) - force_at(depth - h)) / (2 * h);
+  };
+  const double initial = overlap(lower, at_depth(.01).positions).potential;
+  const double other   = stiffness_at(1e-4, 0);
+  for (const double depth : {.0101, .012, .0173, .02, .03, .1})
+    {
+      EXPECT_LT(stiffness_at(depth, initial), other) << depth;
+      EXPECT_GT(stiffness_at(depth, initial), .1 * other) << depth;
+    }
+}
+
 TEST(ContactPair, RubsWithCoulombsForce)
 {
   const ContactConstants rough    = {penalty, .5, 0, 1};
@@ -236,7 +260,8 @@ TEST(ContactPair, ForgetsOverlapThatHasBecomeLess)
   const double free = potential(.06), now = potential(.1);
   const double energy =
     pair_forces(at_rest(lower), at_depth(.1), smooth, 0, memory).energy;
-  EXPECT_NEAR(energy / (penalty * std::pow(now - free, 2) / (now + 3 * free)),
+  EXPECT_NEAR(energy /
+                (penalty * std::pow(std::sqrt(now) - std::sqrt(free), 2)),
               1,
               1e-12);
 }

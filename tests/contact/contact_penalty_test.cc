@@ -1,153 +1,148 @@
-// That contact adds no more to the squares of frequencies than it may.
+// The stiffness of contact in closed form.
 
 #include <rift/contact/contact_penalty.h>
 
-#include "../support/single_pair.h"
+#include "../support/random_cuts.h"
+#include "released_faces.h"
 #include <gtest/gtest.h>
 
-#include <random>
+#include <limits>
 
 using namespace rift;
 using namespace rift::test;
 
 namespace
 {
-  double
-  volume(const Tetrahedron &t)
+  constexpr double density = 2700, room = 1e12;
+
+  /** Of cells that all have the same room. */
+  std::vector<double>
+  spare_stiffness(const DiscreteBody &body)
   {
-    return dot(t[1] - t[0], cross(t[2] - t[0], t[3] - t[0])) / 6;
+    std::vector<double> result;
+    for (CellIndex cell = 0; cell < body.topology.n_cell_slots(); ++cell)
+      result.push_back(
+        density * body.reference[cell / batch_size].volume[cell % batch_size] /
+        4 * room);
+    return result;
   }
 
-  /** Of a cell of the shape of `t` alone in its batch. */
-  double
-  penalty_of(const Tetrahedron &t, const double density, const double room)
+  ContactStiffnesses
+  stiffnesses(const DiscreteBody &body, const double share_of_bond = 1. / 3)
   {
-    ReferenceBatch batch{};
-    for (unsigned int c = 1; c < 4; ++c)
+    return {body.topology,
+            body.reference,
+            spare_stiffness(body),
+            share_of_bond};
+  }
+
+  /** A cell at the top of a box of 4 x 4 cubes of edge `h` that does not touch
+   * the edges of the box. */
+  CellIndex
+  cell_inside_of_top(const DiscreteBody &body, const double h, const double top)
+  {
+    for (CellIndex cell = 0; cell < body.topology.n_cell_slots(); ++cell)
       {
-        const Vector3<double> &a = t[c == 1 ? 2 : 1], &b = t[c == 3 ? 2 : 3];
-        Vector3<double>        gradient = cross(a - t[0], b - t[0]);
-        gradient = (1 / dot(gradient, t[c] - t[0])) * gradient;
-        for (unsigned int d = 0; d < 3; ++d)
-          batch.gradients[c - 1][d][0] = gradient[d];
+        unsigned int n_on_top = 0;
+        bool         is_inner = !body.topology.is_padding(cell);
+        for (const Vector3<double> &x : corners(body, cell))
+          {
+            n_on_top += std::abs(x[2] - top) < .01 * h;
+            for (unsigned int d = 0; d < 2; ++d)
+              is_inner &= x[d] > .5 * h && x[d] < 3.5 * h;
+          }
+        if (is_inner && n_on_top == 3)
+          return cell;
       }
-    batch.volume[0] = volume(t);
-    return largest_penalty(batch, 0, density, room);
+    throw std::logic_error("no such cell");
   }
-
-  /** The mirror image of a cell at one of its faces, pushed into it by a
-   * little. */
-  Tetrahedron
-  mirrored(const Tetrahedron &t, const unsigned int corner, const double depth)
-  {
-    const Vector3<double> &p = t[(corner + 1) % 4];
-    Vector3<double> n = cross(t[(corner + 2) % 4] - p, t[(corner + 3) % 4] - p);
-    n                 = (1 / norm(n)) * n;
-    if (dot(t[corner] - p, n) < 0)
-      n = -1. * n;
-    Tetrahedron image;
-    for (unsigned int c = 0; c < 4; ++c)
-      image[c] = t[c] - (2 * dot(t[c] - p, n) - depth) * n;
-    std::swap(image[0], image[1]);
-    return image;
-  }
-
-  /** A cell with a partner at each face: cell 0 and cells 1 to 4. */
-  struct Cluster
-  {
-    std::vector<Tetrahedron> cells;
-    double                   penalty;
-
-    /** Forces on all corners, N. */
-    std::vector<Vector3<double>>
-    forces(const std::vector<Vector3<double>> &displacement) const
-    {
-      std::vector<Vector3<double>> result(20, Vector3<double>{});
-      std::vector<CellMotion>      motions(5);
-      for (unsigned int i = 0; i < 20; ++i)
-        {
-          motions[i / 4].positions[i % 4] =
-            cells[i / 4][i % 4] + displacement[i];
-          motions[i / 4].velocities[i % 4] = {};
-        }
-      for (unsigned int b = 1; b < 5; ++b)
-        {
-          ContactMemory    memory;
-          const PairForces pair =
-            pair_forces(motions[0], motions[b], {penalty, 0, 0, 1}, 0, memory);
-          for (unsigned int c = 0; c < 4; ++c)
-            {
-              result[c] += pair.on_a[c].vector();
-              result[4 * b + c] += pair.on_b[c].vector();
-            }
-        }
-      return result;
-    }
-
-    /** Largest eigenvalue of stiffness over lumped mass, 1/s^2, by iteration
-     * with differences of forces. */
-    double
-    largest_frequency_squared(const double density, const double step) const
-    {
-      const double mass = density * volume(cells[0]) / 4;
-      std::mt19937 random(1);
-      std::uniform_real_distribution<double> number(-1, 1);
-      std::vector<Vector3<double>>           mode(20);
-      for (Vector3<double> &x : mode)
-        x = {{number(random), number(random), number(random)}};
-      double eigenvalue = 0;
-      for (unsigned int i = 0; i < 300; ++i)
-        {
-          double length = 0;
-          for (const Vector3<double> &x : mode)
-            length += dot(x, x);
-          length = std::sqrt(length);
-          std::vector<Vector3<double>> forward, backward;
-          for (const Vector3<double> &x : mode)
-            {
-              forward.push_back((step / length) * x);
-              backward.push_back((-step / length) * x);
-            }
-          const auto after = forces(forward), before = forces(backward);
-          eigenvalue = 0;
-          for (unsigned int j = 0; j < 20; ++j)
-            {
-              const Vector3<double> change =
-                (1 / (2 * step * mass)) * (before[j] - after[j]);
-              eigenvalue += dot(change, (1 / length) * mode[j]);
-              mode[j] = change;
-            }
-        }
-      return eigenvalue;
-    }
-  };
 } // namespace
 
-TEST(ContactPenalty, LeavesTheRoomThatThereIs)
+TEST(ContactPenalty, OfALooseRegularTetrahedron)
 {
-  const double                           density = 2700, room = 1e12;
-  std::mt19937                           random(7);
-  std::uniform_real_distribution<double> number(0, 1e-3);
-  unsigned int                           n_cells  = 0;
-  double                                 smallest = 1;
-  while (n_cells < 50)
+  Body         body;
+  const double a              = 2e-3;
+  body.vertices               = {{{0, 0, 0}},
+                                 {{a, 0, 0}},
+                                 {{.5 * a, std::sqrt(.75) * a, 0}},
+                                 {{.5 * a, std::sqrt(1. / 12) * a, std::sqrt(2. / 3) * a}}};
+  body.cells                  = {{0, {{0, 1, 2, 3}}, 0}};
+  const DiscreteBody     cell = discretize(body, {density});
+  const ContactStiffness of   = stiffnesses(cell).of_cell(0);
+  const double           h    = std::sqrt(2. / 3) * a;
+  EXPECT_NEAR(of.height, h, 1e-12 * h);
+  // Normals of three faces at a corner: largest eigenvalue of sum n n^T 4/3;
+  // of sum (5/7 n n^T + 2/7 I) 38/21.
+  const double expected = density * h * room / 4 * 21 / 38;
+  // The eigenvalue is a double one: half of the digits.
+  EXPECT_NEAR(of.per_area, expected, 1e-8 * expected);
+}
+
+TEST(ContactPenalty, OfAFlatSurface)
+{
+  const double       h        = 2e-3;
+  const DiscreteBody body     = discretize(make_box({{4, 4, 2}}, h), {density});
+  const CellIndex    cell     = cell_inside_of_top(body, h, 2 * h);
+  const auto         of       = stiffnesses(body).of_cell(cell);
+  const double       expected = density * h * room / 2;
+  EXPECT_NEAR(of.height, h, 1e-12 * h);
+  EXPECT_NEAR(of.per_area, expected, 1e-12 * expected);
+}
+
+TEST(ContactPenalty, OfTheSidesOfAReleasedCrack)
+{
+  const double           h    = 2e-3;
+  DiscreteBody           body = discretize(make_box({{4, 4, 4}}, h), {density});
+  std::vector<FaceIndex> crack;
+  for (FaceIndex face = 0; face < body.topology.faces.size(); ++face)
     {
-      Tetrahedron t;
-      for (Vector3<double> &x : t)
-        x = {{number(random), number(random), number(random)}};
-      if (volume(t) < 2e-11)
-        continue;
-      ++n_cells;
-      const double height =
-        std::sqrt(48 * penalty_of(t, density, room) / (density * room));
-      Cluster cluster{{t}, penalty_of(t, density, room)};
-      for (unsigned int c = 0; c < 4; ++c)
-        cluster.cells.push_back(mirrored(t, c, 1e-3 * height));
-      const double share =
-        cluster.largest_frequency_squared(density, 1e-5 * height) / room;
-      EXPECT_LT(share, 1);
-      smallest = std::min(smallest, share);
+      const Triangle t = triangle_of(body.topology, face);
+      if (std::all_of(t.begin(), t.end(), [&](const VertexIndex v) {
+            return std::abs(body.state.reference[v][2] - 2 * h) < .01 * h;
+          }))
+        crack.push_back(face);
     }
-  // Nor is it smaller than it need be by much.
-  EXPECT_GT(smallest, .2);
+  const CellIndex cell   = cell_inside_of_top(body, h, 2 * h);
+  const double    inside = stiffnesses(body).of_cell(cell).per_area;
+  release(body, crack);
+  const double expected = density * h * room / 2;
+  EXPECT_NEAR(stiffnesses(body).of_cell(cell).per_area,
+              expected,
+              1e-12 * expected);
+  // Cells without a face at a surface have what loose ones have.
+  EXPECT_LT(inside, expected / 3);
+}
+
+TEST(ContactPenalty, CohesiveElementsHaveTheirShare)
+{
+  const double    h         = 2e-3;
+  DiscreteBody    body      = discretize(make_box({{4, 4, 2}}, h), {density});
+  const CellIndex cell      = cell_inside_of_top(body, h, 2 * h);
+  const auto     &own_faces = body.topology.cell_faces[cell];
+  const double    before    = stiffnesses(body).of_cell(cell).per_area;
+  const FaceIndex bonded =
+    *std::find_if(own_faces.begin(), own_faces.end(), [](const FaceIndex face) {
+      return face != invalid_index;
+    });
+  for (const FaceState state :
+       {FaceState::cut, FaceState::opening, FaceState::failed})
+    {
+      body.topology.face_states[bonded] = state;
+      // Two of the twelve cells around a node lose a third.
+      EXPECT_NEAR(stiffnesses(body).of_cell(cell).per_area / before,
+                  17. / 18,
+                  1e-12);
+      EXPECT_EQ(stiffnesses(body, 0).of_cell(cell).per_area, before);
+    }
+}
+
+TEST(ContactPenalty, OfPairs)
+{
+  const ContactStiffness a{3e15, 1e-3}, b{1e15, 4e-3},
+    wall{std::numeric_limits<double>::infinity(), 1e-3};
+  EXPECT_EQ(pair_penalty(a, b), pair_penalty(b, a));
+  EXPECT_NEAR(pair_penalty(a, a), 3e15 * 1e-3 / 4, 1e-3);
+  // Flat faces: (1/h_a + 1/h_b) p is the stiffness per area.
+  EXPECT_NEAR(pair_penalty(a, b) * 1250, 1 / (1 / 3e15 + 1 / 1e15), 1e3);
+  EXPECT_NEAR(pair_penalty(a, wall) * 2000, 3e15, 1e3);
 }

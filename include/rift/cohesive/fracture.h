@@ -96,13 +96,14 @@ namespace rift
     void
     count_items(const Topology &topology, WorkItems &items) const override;
 
-  private:
+    /** Whether faces are cut while the run goes on. */
     bool
     is_extrinsic() const
     {
       return parameters.model == CohesiveParameters::Model::extrinsic;
     }
 
+  private:
     Discretization                        &body;
     InternalForce                         &internal_force;
     const std::vector<MaterialParameters> &materials;

@@ -62,6 +62,12 @@ namespace rift
     }
 
     void
+    update_nodes(const std::vector<VertexIndex> &vertices) override
+    {
+      force->update_nodes(vertices);
+    }
+
+    void
     add_forces(StepContext &step) override;
 
     void
@@ -93,9 +99,18 @@ namespace rift
     }
 
   private:
+    /** Whether nothing moves a cell but prescribed velocities. */
+    bool
+    is_driven(CellIndex cell) const;
+
     /** What contact has to know of the cells. */
     std::vector<ContactCellConstants>
-    cell_constants(const StepBound &bound) const;
+    cell_constants() const;
+
+    /** Of each cell slot, the mass at a corner times what is left to the square
+     * of a frequency of the loose cell, N/m. */
+    std::vector<double>
+    spare_stiffness(const StepBound &bound) const;
 
     /** Friction between each two materials. */
     std::vector<std::vector<double>>

@@ -3,17 +3,14 @@
 
 #include <rift/base/types.h>
 #include <rift/contact/cell_motion.h>
+#include <rift/contact/contact_penalty.h>
 
 namespace rift
 {
   /** What contact has to know of a cell that never changes. */
   struct ContactCellConstants
   {
-    /** The largest penalty that the time step allows this cell, Pa; infinite
-     * where nothing can move it. */
-    double penalty;
-
-    /** kg; likewise. */
+    /** kg; infinite where nothing can move it. */
     double mass;
 
     /** The rigid body that it belongs to, or invalid_index. */
@@ -29,6 +26,9 @@ namespace rift
     int                  owner;
     std::uint32_t        material;
     ContactCellConstants constants;
+
+    /** As it is now. */
+    ContactStiffness stiffness;
 
     /** Where it was when others were told of it, and how far its corners can be
      * from there before they are told again, m. */

@@ -62,6 +62,9 @@ namespace rift
       /** By cell slot. */
       std::vector<ContactCellConstants> cells;
 
+      /** How stiff the time step allows contact to be. */
+      ContactStiffnesses stiffnesses;
+
       /** Coefficient of friction of each two materials. */
       std::vector<std::vector<double>> friction;
 
@@ -78,10 +81,25 @@ namespace rift
     ContactForce &
     operator=(const ContactForce &) = delete;
 
-    /** The least and the largest penalty of cells at outer surfaces, Pa.
-     * Collective. */
-    std::pair<double, double>
-    penalty_range() const;
+    /** Calls `f` with the cells of this rank that may touch others, and their
+     * stiffnesses. */
+    template <typename Function>
+    void
+    for_each_stiffness(const Function &f) const
+    {
+      for (const CellIndex cell : surface.cells())
+        f(cell, interface.stiffnesses.of_cell(cell));
+    }
+
+    /** Takes in that corners at these vertices have other nodes than before.
+     */
+    void
+    update_nodes(const std::vector<VertexIndex> &vertices)
+    {
+      changed_vertices.insert(changed_vertices.end(),
+                              vertices.begin(),
+                              vertices.end());
+    }
 
     /**
      * Takes in where the cells are now, on all ranks, and finds the pairs
@@ -141,13 +159,31 @@ namespace rift
      * of it, and how far it may be from there, m. */
     struct Surveyed
     {
-      CellIndex   cell;
-      Tetrahedron positions;
-      double      margin;
+      CellIndex        cell;
+      Tetrahedron      positions;
+      double           margin;
+      ContactStiffness stiffness;
     };
 
     PairName
     name_of(const CellPair &cells) const;
+
+    /** Takes in that nodes around own cells have become lighter, or faces free.
+     */
+    void
+    update_stiffnesses();
+
+    /** Tells others of own cells, is told of theirs, and gives the pairs in
+     * play the penalties of now. */
+    void
+    exchange(const State &state);
+
+    double
+    penalty_of(const CellPair &cells) const;
+
+    /** Makes a cell a member. */
+    std::uint32_t
+    take_in(const ContactCell &cell);
 
     /** Adds own cells that have moved by half of their margin. */
     void
@@ -212,6 +248,11 @@ namespace rift
 
     ContactSurface surface;
     Rendezvous     rendezvous;
+
+    /** At the end of the last step, and vertices at which nodes have split
+     * since. */
+    KnownFaceStates          face_states;
+    std::vector<VertexIndex> changed_vertices;
 
     /** Own cells, and where each cell slot is among them. */
     std::vector<Surveyed>      surveyed;

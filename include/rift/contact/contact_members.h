@@ -6,6 +6,7 @@
 #include <rift/contact/packed_motion.h>
 #include <rift/discretization/state.h>
 
+#include <functional>
 #include <unordered_map>
 #include <vector>
 
@@ -19,6 +20,9 @@ namespace rift
   class ContactMembers
   {
   public:
+    /** The stiffness of an own cell that may touch others. */
+    using StiffnessOf = std::function<ContactStiffness(CellIndex)>;
+
     /** A cell in pairs. */
     struct Member
     {
@@ -76,9 +80,23 @@ namespace rift
     void
     subscribe();
 
-    /** Tells others how own cells move, and is told. */
+    /** Sets the stiffness of a member. */
     void
-    exchange(const State &state);
+    set_stiffness(std::uint32_t position, const ContactStiffness &stiffness);
+
+    /** Likewise of a cell, if it is a member. */
+    void
+    set_stiffness_of(GlobalCellIndex cell, const ContactStiffness &stiffness);
+
+    /** Tells others how own cells move and how stiff they are, and is told.
+     *
+     * @param stiffness of an own cell. */
+    void
+    exchange(const State &state, const StiffnessOf &stiffness);
+
+    /** Whether a stiffness has changed since the last call. */
+    bool
+    have_stiffnesses_changed();
 
     /** The square of the largest speed of cells that others have told of,
      * m^2/s^2. */
@@ -124,6 +142,7 @@ namespace rift
     std::vector<std::uint64_t> packed_after;
 
     std::vector<Partner> receivers, senders;
+    bool                 stiffnesses_have_changed = false;
   };
 } // namespace rift
 

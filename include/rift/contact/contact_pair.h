@@ -8,7 +8,7 @@ namespace rift
   /** What two cells that touch depend on. */
   struct ContactConstants
   {
-    /** Penalty, Pa: what one unit of potential is worth. */
+    /** Penalty, Pa: what one unit of potential is worth at most. */
     double penalty;
 
     /** Coefficient of friction. */
@@ -34,6 +34,10 @@ namespace rift
 
     /** Force of the damper, N: positive where it parts the cells. */
     double damping_force = 0;
+
+    /** The penalty, Pa, and the energy of the overlap, J, in the last step:
+     * zero without a force. */
+    double penalty = 0, energy = 0;
   };
 
   /** Two cells that may overlap, and what they remember. */
@@ -44,8 +48,8 @@ namespace rift
     ContactMemory    memory;
   };
 
-  static_assert(sizeof(ContactPair) == 11 * 8,
-                "pairs are many: two indices, four constants, six numbers");
+  static_assert(sizeof(ContactPair) == 13 * 8,
+                "pairs are many: two indices, four constants, eight numbers");
 
   /** What a pair does in a step. */
   struct PairForces
@@ -82,18 +86,25 @@ namespace rift
    * the potential of that one is zero. */
   constexpr double largest_volume_fraction = .9;
 
+  /** Stiffness of the spring of friction over that of the overlap (Xiang,
+   * Latham & Farsi 2016). */
+  constexpr double friction_stiffness_ratio = 2. / 7;
+
   /**
    * Contact of pairs of tetrahedra (doc/theory.md, section 8).
    *
-   * Overlap costs the energy p (Phi - Phi_0)^2 / (Phi + 3 Phi_0), eq. 26: of an
+   * Overlap costs the energy p (sqrt(Phi) - sqrt(Phi_0))^2, eq. 26: of an
    * overlap from the outside, Phi_0 = 0, this is Munjiza's potential contact,
    * and a pair that comes into being with an overlap starts with neither energy
    * nor force. The forces are the derivatives of this energy.
    *
    * Friction is a spring between the points of the two cells at the centroid of
    * the overlap, whose force is not larger than the coefficient times that of
-   * the overlap (Coulomb). Its stiffness is 2/7 of that of the overlap (Xiang,
-   * Latham & Farsi 2016), the largest there has been.
+   * the overlap (Coulomb). Its stiffness is `friction_stiffness_ratio` times that
+   * of the overlap.
+   *
+   * A pair with a force has the least of its penalties since it has one; what
+   * falls with the penalty counts as damped (eq. 27c).
    *
    * Damping resists the approach of the two cells and their parting, at most
    * with what makes the overlap free of force: it never pulls.

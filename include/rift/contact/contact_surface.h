@@ -2,6 +2,7 @@
 #define rift_contact_contact_surface_h
 
 #include <rift/contact/contact_cell.h>
+#include <rift/contact/known_face_states.h>
 #include <rift/contact/vertex_groups.h>
 
 #include <vector>
@@ -66,10 +67,6 @@ namespace rift
     load(const State &state, const Archive &archive);
 
   private:
-    /** The faces whose state is another one than at the last look. */
-    std::vector<FaceIndex>
-    changed_faces() const;
-
     /** Takes in a cell if it is of this rank. */
     void
     include(CellIndex cell, std::vector<CellIndex> &news);
@@ -87,8 +84,8 @@ namespace rift
     std::vector<std::uint8_t> is_member;
 
     /** At the last look. */
-    std::vector<FaceState> face_states;
-    VertexGroups           groups;
+    KnownFaceStates face_states;
+    VertexGroups    groups;
   };
 
   /** Where a cell is. */

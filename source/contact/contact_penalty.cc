@@ -1,0 +1,145 @@
+#include <rift/base/check.h>
+#include <rift/contact/contact_pair.h>
+#include <rift/contact/contact_penalty.h>
+#include <rift/solid/principal_stresses.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace rift
+{
+  namespace
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    double
+    largest_eigenvalue(const Matrix3<double> &symmetric)
+    {
+      return principal_stresses(symmetric)[0];
+    }
+  } // namespace
+
+  ContactStiffnesses::ContactStiffnesses(const Topology          &topology,
+                                         const ReferenceCellData &reference,
+                                         std::vector<double> spare_stiffness,
+                                         const double        share_of_bond)
+    : topology(topology)
+    , reference(reference)
+    , spare_stiffness(std::move(spare_stiffness))
+    , share_of_bond(share_of_bond)
+  {
+    rift_check(this->spare_stiffness.size() == topology.n_cell_slots());
+  }
+
+  ContactStiffness
+  ContactStiffnesses::of_cell(const CellIndex cell) const
+  {
+    ContactStiffness result{infinity, infinity};
+    for (unsigned int corner = 0; corner < n_corners; ++corner)
+      {
+        bool is_touched = false;
+        for (unsigned int face = 0; face < n_corners; ++face)
+          is_touched |= face != corner && is_exposed(cell, face);
+        if (is_touched)
+          result.per_area =
+            std::min(result.per_area,
+                     per_area_of_node(topology.node(cell, corner)));
+      }
+    for (unsigned int face = 0; face < n_corners; ++face)
+      if (is_exposed(cell, face))
+        result.height = std::min(result.height, height(cell, face));
+    if (result.height < infinity)
+      return result;
+
+    for (unsigned int i = 0; i < n_corners; ++i)
+      {
+        result.per_area =
+          std::min(result.per_area, per_area_of_loose_corner(cell, i));
+        result.height = std::min(result.height, height(cell, i));
+      }
+    return result;
+  }
+
+  double
+  ContactStiffnesses::per_area_of_node(const NodeIndex node) const
+  {
+    const VertexIndex vertex = topology.node_vertices[node];
+    rift_check(topology.is_complete(vertex));
+    double          spare = 0;
+    Matrix3<double> faces{};
+    for (auto cell = topology.vertex_cells_first(vertex);
+         cell != topology.vertex_cells_last(vertex);
+         ++cell)
+      {
+        const unsigned int corner = topology.corner_at_vertex(*cell, vertex);
+        if (topology.node(*cell, corner) != node)
+          continue;
+        unsigned int n_bonds = 0;
+        for (unsigned int face = 0; face < n_corners; ++face)
+          if (face != corner)
+            {
+              n_bonds += is_bonded(*cell, face);
+              if (is_exposed(*cell, face))
+                add_face(*cell, face, faces);
+            }
+        spare += (1 - n_bonds * share_of_bond) * spare_stiffness[*cell];
+      }
+    return spare / largest_eigenvalue(faces);
+  }
+
+  double
+  ContactStiffnesses::per_area_of_loose_corner(const CellIndex    cell,
+                                               const unsigned int corner) const
+  {
+    Matrix3<double> faces{};
+    for (unsigned int face = 0; face < n_corners; ++face)
+      if (face != corner)
+        add_face(cell, face, faces);
+    return spare_stiffness[cell] / largest_eigenvalue(faces);
+  }
+
+  bool
+  ContactStiffnesses::is_exposed(const CellIndex    cell,
+                                 const unsigned int face) const
+  {
+    const FaceIndex index = topology.cell_faces[cell][face];
+    return index == invalid_index ||
+           topology.face_states[index] == FaceState::released;
+  }
+
+  bool
+  ContactStiffnesses::is_bonded(const CellIndex    cell,
+                                const unsigned int face) const
+  {
+    const FaceIndex index = topology.cell_faces[cell][face];
+    return index != invalid_index &&
+           topology.face_states[index] != FaceState::intact &&
+           topology.face_states[index] != FaceState::released;
+  }
+
+  double
+  ContactStiffnesses::height(const CellIndex    cell,
+                             const unsigned int face) const
+  {
+    return 1 /
+           norm(reference[cell / batch_size].gradient(face, cell % batch_size));
+  }
+
+  void
+  ContactStiffnesses::add_face(const CellIndex    cell,
+                               const unsigned int face,
+                               Matrix3<double>   &sum) const
+  {
+    const Vector3<double> vector = reference_area_vector(reference, cell, face);
+    const double          area   = norm(vector);
+    // A third of the face for each of its nodes: fully along the normal, and by
+    // the spring of friction across.
+    for (unsigned int i = 0; i < dim; ++i)
+      {
+        sum[i][i] += friction_stiffness_ratio * area / 3;
+        for (unsigned int j = 0; j < dim; ++j)
+          sum[i][j] +=
+            (1 - friction_stiffness_ratio) / 3 * vector[i] * vector[j] / area;
+      }
+  }
+} // namespace rift
