@@ -57,18 +57,12 @@ namespace rift
   {
     if (has_contact)
       return {};
-    const Discretization &d        = body.discretization;
-    std::int64_t          n_bodies = 0;
-    for (CellIndex cell = 0; cell < d.topology.n_cell_slots(); ++cell)
-      if (d.topology.owns_cell(cell) &&
-          d.topology.cell_global_indices[cell] == d.bodies[cell])
-        ++n_bodies;
-    n_bodies = d.communicator.sum(n_bodies);
+    const std::int64_t n_bodies = count_bodies(body.discretization);
     if (n_bodies == 1)
       return {};
     return {{"the mesh has " + std::to_string(n_bodies) + " separate bodies",
-             ", and nothing keeps them apart. Set \"Contact = true\" in "
-             "subsection Contact if they are to touch."}};
+             ", and nothing keeps them apart. Remove \"Contact = false\" "
+             "from subsection Contact if they are to touch."}};
   }
 
   std::vector<Warning>

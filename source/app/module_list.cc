@@ -73,7 +73,8 @@ namespace rift
                  Fracture          *fracture,
                  const RigidBodies *rigid_bodies)
     {
-      if (!parameters.contact.is_active)
+      if (!parameters.contact.is_active(fracture != nullptr,
+                                        count_bodies(body.discretization)))
         return nullptr;
       return std::make_unique<Contact>(body.discretization,
                                        body.materials,

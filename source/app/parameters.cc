@@ -65,12 +65,12 @@ namespace rift
       if (rigid == materials.end())
         return;
       const std::string section = "Material " + rigid->name;
-      if (!parameters.contact.is_active)
+      if (parameters.contact.mode == ContactParameters::Mode::off)
         throw ParameterError(section,
                              "Elasticity",
                              "a rigid material acts on others by contact "
-                             "alone. Set \"Contact = true\" in subsection "
-                             "Contact.");
+                             "alone. Remove \"Contact = false\" from "
+                             "subsection Contact.");
       if (std::all_of(materials.begin(), materials.end(), [](const auto &m) {
             return m.is_rigid();
           }))
@@ -351,7 +351,12 @@ namespace rift
         << "boundaries: " << names(parameters.boundaries) << '\n'
         << "probes:     " << names(parameters.probes) << '\n'
         << "fracture:   " << to_string(parameters.cohesive.model) << '\n'
-        << "contact:    " << (parameters.contact.is_active ? "yes" : "no")
+        << "contact:    "
+        << (parameters.contact.mode == ContactParameters::Mode::on ?
+              "yes" :
+            parameters.contact.mode == ContactParameters::Mode::off ?
+              "no" :
+              "where something breaks or bodies meet")
         << '\n'
         << "end time:   " << short_text(parameters.time.end_time) << " s\n"
         << "output:     " << parameters.output.directory << '\n';

@@ -86,11 +86,12 @@ namespace rift
     const ContactParameters defaults;
     prm.enter_subsection(section);
     prm.declare_entry("Contact",
-                      "false",
-                      Patterns::Bool(),
+                      "automatic",
+                      Patterns::Selection("automatic|true|false"),
                       "Whether surfaces that meet collide and rub: the outer "
                       "surfaces of all bodies and the faces of cracks. Without "
-                      "it they pass through each other.");
+                      "it they pass through each other. \"automatic\": where "
+                      "something can break or there are several bodies.");
     declare_number(prm,
                    "Friction coefficient",
                    defaults.friction,
@@ -126,7 +127,10 @@ namespace rift
   {
     ContactParameters result;
     prm.enter_subsection(section);
-    result.is_active        = prm.get_bool("Contact");
+    const std::string mode  = prm.get("Contact");
+    result.mode             = mode == "true"  ? Mode::on :
+                              mode == "false" ? Mode::off :
+                                                Mode::automatic;
     result.friction         = prm.get_double("Friction coefficient");
     result.pair_frictions   = read_pairs(prm.get(pairs_name));
     result.damping          = prm.get_double("Damping");
@@ -179,7 +183,7 @@ namespace rift
   std::vector<InertEntries>
   ContactParameters::inert_entries() const
   {
-    if (is_active)
+    if (mode != Mode::off)
       return {};
     return {
       {section,

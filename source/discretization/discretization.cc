@@ -143,6 +143,17 @@ namespace rift
     }
   } // namespace
 
+  std::int64_t
+  count_bodies(const Discretization &body)
+  {
+    std::int64_t number = 0;
+    for (CellIndex cell = 0; cell < body.topology.n_cell_slots(); ++cell)
+      if (body.topology.owns_cell(cell) &&
+          body.topology.cell_global_indices[cell] == body.bodies[cell])
+        ++number;
+    return body.communicator.sum(number);
+  }
+
   std::vector<VertexIndex>
   vertices_of(const Topology &topology, const std::vector<NodeSplit> &splits)
   {

@@ -43,7 +43,7 @@ namespace
           ContactCell cell{};
           cell.cell      = 3 * i + 1;
           cell.owner     = static_cast<int>(engine() % world().size());
-          cell.constants = {1, 1. + i, invalid_index};
+          cell.constants = {1. + i, invalid_index};
           Vector3<double> centre;
           for (double &x : centre)
             x = uniform(engine);

@@ -13,8 +13,29 @@ namespace rift
   /** Contact: subsection `Contact` of the .prm. */
   struct ContactParameters
   {
-    /** Whether there is contact. */
-    bool is_active = false;
+    /** When there is contact. */
+    enum class Mode
+    {
+      automatic,
+      on,
+      off
+    };
+
+    /** The entry Contact. */
+    Mode mode = Mode::automatic;
+
+    /**
+     * Whether there is contact.
+     *
+     * @param can_break whether faces may open.
+     * @param n_bodies number of bodies of the mesh that nothing connects.
+     */
+    bool
+    is_active(const bool can_break, const std::int64_t n_bodies) const
+    {
+      return mode == Mode::on ||
+             (mode == Mode::automatic && (can_break || n_bodies > 1));
+    }
 
     /** Coefficient of friction between all materials... */
     double friction = .6;

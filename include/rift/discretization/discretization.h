@@ -70,6 +70,10 @@ namespace rift
     load(const Archive &archive);
   };
 
+  /** Number of pieces of the undamaged body. Collective. */
+  std::int64_t
+  count_bodies(const Discretization &body);
+
   /** Where nodes have split. */
   std::vector<VertexIndex>
   vertices_of(const Topology &topology, const std::vector<NodeSplit> &splits);
