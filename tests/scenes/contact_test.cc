@@ -198,8 +198,8 @@ TEST(Contact, SlidingBlockStopsWhereItShould)
       if (at_stop == 0 && state.time > .5e-3)
         at_stop = way();
     }
-  EXPECT_NEAR(at_stop / .4e-3, 1, .01);
-  EXPECT_NEAR(way() / .4e-3, 1, .01);
+  EXPECT_NEAR(at_stop / .4e-3, 1, 1e-3);
+  EXPECT_NEAR(way() / .4e-3, 1, 1e-3);
   EXPECT_LT(simulation.energy_ledger().largest_relative_residual(), 2e-3);
   // All of its energy has gone into friction but for a little.
   const Energies energies = simulation.energy_ledger().energies();

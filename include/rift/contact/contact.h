@@ -107,8 +107,8 @@ namespace rift
     std::vector<ContactCellConstants>
     cell_constants() const;
 
-    /** Of each cell slot, the mass at a corner times what is left to the square
-     * of a frequency of the loose cell, N/m. */
+    /** Of each cell slot, the mass at a corner times what contact may add to the
+     * square of a frequency of the loose cell, N/m. */
     std::vector<double>
     spare_stiffness(const StepBound &bound) const;
 
