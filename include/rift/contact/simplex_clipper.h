@@ -19,6 +19,7 @@ namespace rift
   /** Eight simplices, each a part of a body. */
   struct SimplexBatch
   {
+    /** In any order. */
     std::array<PointBatch, 4> corners;
 
     /** m^3. */
@@ -28,11 +29,15 @@ namespace rift
     SimdMask body;
   };
 
-  /** What of a body has no negative coordinates: its volume, m^3, and the
-   * integrals of the coordinates over it, then zeros. */
+  /** What of a body has no negative coordinates: eight numbers, to be read at
+   * once. */
   struct alignas(64) BodyPart
   {
-    double volume, moment[n_point_coordinates], unused[2];
+    /** m^3, and the integrals of the coordinates over it. */
+    double volume, moment[n_point_coordinates];
+
+    /** Zeros. */
+    double unused[2];
   };
 
   /**

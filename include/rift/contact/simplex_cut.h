@@ -30,6 +30,7 @@ namespace rift
   /** A number of each of the points of a cut. */
   struct CutPoints
   {
+    /** See Cut. */
     Simd p0, p1, p2, p3, x, y, z, w;
   };
 
@@ -49,6 +50,7 @@ namespace rift
   class Cut
   {
   public:
+    /** @param f the coordinate. */
     explicit Cut(Plane f)
     {
       const auto sort_two =
