@@ -278,7 +278,51 @@ namespace rift
              (pairs.spring_energy() - before);
     }
 
-    /** The law of eight pairs, of which some do not overlap. */
+    /**
+     * Corrects what has been computed for all alike. Pairs that do not overlap
+     * have no forces and forget; those without an elastic force have neither
+     * damper nor spring, those without friction no spring.
+     *
+     * @param before memories before the step.
+     */
+    void
+    settle(const PairBatch &before,
+           const SimdMask  &is_pressed,
+           PairBatch       &pairs,
+           ForceBatch      &result)
+    {
+      const Simd          zero{};
+      const Vector3<Simd> none{};
+      const SimdMask     &overlaps = result.overlaps,
+                     rubs          = is_pressed & (pairs.friction > 0);
+      pairs.initial_potential =
+        rift::select(overlaps, pairs.initial_potential, zero);
+      pairs.damping_force = rift::select(is_pressed, pairs.damping_force, zero);
+      pairs.slip =
+        select(rubs, pairs.slip, select(is_pressed, before.slip, none));
+      pairs.stiffness =
+        rift::select(rubs,
+                     pairs.stiffness,
+                     rift::select(overlaps, before.stiffness, zero));
+      pairs.old_penalty = rift::select(is_pressed, pairs.old_penalty, zero);
+      pairs.old_energy  = rift::select(is_pressed, pairs.old_energy, zero);
+      result.friction_loss =
+        rift::select(rubs,
+                     result.friction_loss,
+                     rift::select(is_pressed, zero, before.spring_energy()));
+      result.damping_loss = rift::select(is_pressed, result.damping_loss, zero);
+      result.energy       = rift::select(rubs,
+                                   result.energy + pairs.spring_energy(),
+                                   rift::select(overlaps, result.energy, zero));
+      result.is_too_deep &= overlaps;
+      for (unsigned int c = 0; c < 4; ++c)
+        {
+          result.on_a[c] = select(overlaps, result.on_a[c], none);
+          result.on_b[c] = select(overlaps, result.on_b[c], none);
+        }
+    }
+
+    /** The law of eight pairs, of which some may not overlap. */
     ForceBatch
     apply_law(const PackedMotion *cells,
               const OverlapOctet &common,
@@ -286,20 +330,19 @@ namespace rift
               PairBatch          &pairs)
     {
       const PairBatch before = pairs;
-      const Simd      zero{};
       ForceBatch      result;
       result.overlaps = common.volume > 0;
       rift_check(sum_to_one(common.weights_a, result.overlaps) &&
                  sum_to_one(common.weights_b, result.overlaps));
       const Simd    slope          = press(common, pairs, result);
-      const Simd    elastic_energy = result.energy;
       const Simd    softening_loss = soften(pairs, result);
       Vector3<Simd> force{};
       for (const Vector3<Simd> &f : result.on_a)
         force += f;
-      const Simd          elastic  = norm(force);
-      const Vector3<Simd> normal   = (1 / elastic) * force;
-      const Vector3<Simd> velocity = sliding_velocity(cells, pairs, common);
+      const Simd          elastic    = norm(force);
+      const SimdMask      is_pressed = result.overlaps & ~(elastic == 0);
+      const Vector3<Simd> normal     = (1 / elastic) * force;
+      const Vector3<Simd> velocity   = sliding_velocity(cells, pairs, common);
       // Of faces that lie flat upon each other the potential is half of the
       // stiffness times the square of the depth, over the penalty.
       const Simd stiffness = elastic * elastic / (2 * slope * common.potential);
@@ -310,56 +353,27 @@ namespace rift
                                       time_step,
                                       pairs,
                                       result);
+      result.damping_loss += softening_loss;
       result.friction_loss =
         slide(normal,
               elastic + damping_force,
               friction_stiffness_ratio * stiffness,
               broadcast(time_step) * across(velocity, normal),
               pairs);
-
-      // Pairs without an elastic force have neither damper nor spring, those
-      // without friction no spring.
-      const SimdMask is_pressed = result.overlaps & ~(elastic == 0),
-                     rubs       = is_pressed & (pairs.friction > 0),
-                     keeps      = result.overlaps & ~rubs;
-      const Vector3<Simd> none{};
-      pairs.initial_potential =
-        rift::select(result.overlaps, pairs.initial_potential, zero);
-      pairs.damping_force = rift::select(is_pressed, pairs.damping_force, zero);
-      pairs.slip =
-        select(rubs, pairs.slip, select(is_pressed, before.slip, none));
-      pairs.stiffness =
-        rift::select(rubs,
-                     pairs.stiffness,
-                     rift::select(keeps, before.stiffness, zero));
-      result.friction_loss =
-        rift::select(rubs,
-                     result.friction_loss,
-                     rift::select(is_pressed, zero, before.spring_energy()));
-      result.damping_loss =
-        rift::select(is_pressed, result.damping_loss + softening_loss, zero);
-      pairs.old_penalty = rift::select(is_pressed, pairs.old_penalty, zero);
-      pairs.old_energy  = rift::select(is_pressed, pairs.old_energy, zero);
-      result.energy =
-        rift::select(rubs,
-                     elastic_energy + pairs.spring_energy(),
-                     rift::select(result.overlaps, elastic_energy, zero));
-      result.is_too_deep &= result.overlaps;
-
       const Vector3<Simd> damper = damping_force * normal;
-      const Vector3<Simd> added =
-        select(rubs, damper - pairs.stiffness * pairs.slip, damper);
+      const Vector3<Simd> added  = select(is_pressed & (pairs.friction > 0),
+                                         damper - pairs.stiffness * pairs.slip,
+                                         select(is_pressed, damper, {}));
       for (unsigned int c = 0; c < 4; ++c)
         {
-          result.on_a[c] =
-            select(is_pressed,
-                   result.on_a[c] + common.weights_a[c] * added,
-                   select(result.overlaps, result.on_a[c], none));
-          result.on_b[c] =
-            select(is_pressed,
-                   result.on_b[c] - common.weights_b[c] * added,
-                   select(result.overlaps, result.on_b[c], none));
+          result.on_a[c] += common.weights_a[c] * added;
+          result.on_b[c] -= common.weights_b[c] * added;
         }
+      settle(before, is_pressed, pairs, result);
+      rift_check(
+        !any(is_pressed & (pairs.friction > 0) &
+             (pairs.stiffness * norm(pairs.slip) >
+              (1 + 1e-12) * pairs.friction * (elastic + damping_force))));
       rift_check(cancel(result, common.volume_fraction));
       return result;
     }

@@ -1,33 +1,20 @@
 #include <rift/base/check.h>
 #include <rift/contact/simplex_clipper.h>
+#include <rift/contact/simplex_cut.h>
 
-#include <limits>
+#include <algorithm>
 
 namespace rift
 {
   namespace
   {
-    /** Of a chunk, and a place for lanes that are none. */
+    /** The part to which lanes go that are none. */
     constexpr unsigned int no_body = SimplexClipper::capacity;
 
-    /** Simplices that wait to be cut. A body is in it at most
-     * `most_per_body` times. */
-    template <unsigned int most_per_body>
+    /** Simplices that wait to be cut: no body is there twice. */
     class Queue
     {
     public:
-      unsigned int
-      size() const
-      {
-        return n;
-      }
-
-      void
-      clear()
-      {
-        n = 0;
-      }
-
       /** @param lanes bits of those to be added. */
       void
       push(const SimplexBatch &simplices, const unsigned int lanes)
@@ -41,32 +28,27 @@ namespace rift
         store(packed(simplices.volume), &volumes[n]);
         store(packed((Simd)simplices.body), &bodies[n]);
         n += __builtin_popcount(lanes);
-        rift_check(n + batch_size <= length);
+        rift_check(n <= SimplexClipper::capacity);
       }
 
-      SimplexBatch
-      read(const unsigned int first) const
+      /** Takes out the last ones.
+       * @return bits of the lanes that there were: none if it is empty. */
+      unsigned int
+      take(SimplexBatch &simplices)
       {
-        SimplexBatch result;
+        const unsigned int n_taken = std::min(n, batch_size);
+        n -= n_taken;
         for (unsigned int c = 0; c < 4; ++c)
           for (unsigned int k = 0; k < n_point_coordinates; ++k)
-            result.corners[c][k] = load(&corners[c][k][first]);
-        result.volume = load(&volumes[first]);
-        result.body   = (SimdMask)load(&bodies[first]);
-        return result;
-      }
-
-      /** Bits of the lanes that read() fills. */
-      unsigned int
-      lanes(const unsigned int first) const
-      {
-        return n - first >= batch_size ? (1 << batch_size) - 1 :
-                                         (1 << (n - first)) - 1;
+            simplices.corners[c][k] = load(&corners[c][k][n]);
+        simplices.volume = load(&volumes[n]);
+        simplices.body   = (SimdMask)load(&bodies[n]);
+        return (1U << n_taken) - 1;
       }
 
     private:
       static constexpr unsigned int length =
-        most_per_body * SimplexClipper::capacity + 2 * batch_size;
+        SimplexClipper::capacity + batch_size;
 
       unsigned int n = 0;
       alignas(64) double corners[4][n_point_coordinates][length];
@@ -74,273 +56,65 @@ namespace rift
       alignas(64) double bodies[length];
     };
 
-    /** How planes cut simplices: bits of lanes. */
+    /** How planes cut simplices: bits of lanes. What is wholly outside of a
+     * plane is nowhere. */
     struct Kinds
     {
-      /** Not cut; cut by one plane; cut by more. What is wholly outside of a
-       * plane is none. */
-      unsigned int whole, last, more;
+      /** By the number of planes that cut them. */
+      unsigned int cut_by[5];
+
+      /** Those of two planes and more of which one has but one corner inside.
+       */
+      unsigned int corner;
     };
 
     Kinds
     kinds_of(const std::array<PointBatch, 4> &p, const unsigned int lanes)
     {
-      SimdMask outside{}, some[4];
+      SimdMask outside{}, three_outside{}, s[4];
       for (unsigned int k = 0; k < 4; ++k)
         {
           const SimdMask a = (SimdMask)p[0][k], b = (SimdMask)p[1][k],
                          c = (SimdMask)p[2][k], d = (SimdMask)p[3][k];
-          outside |= a & b & c & d;
-          some[k] = a | b | c | d;
+          const SimdMask ab = a & b, cd = c & d, a_b = a | b, c_d = c | d;
+          outside |= ab & cd;
+          three_outside |= (ab & c_d) | (cd & a_b);
+          s[k] = a_b | c_d;
         }
-      const SimdMask cut     = some[0] | some[1] | some[2] | some[3];
-      const SimdMask by_more = (some[0] & some[1]) | (some[2] & some[3]) |
-                               ((some[0] | some[1]) & (some[2] | some[3]));
-      const unsigned int is_cut = sign_bits(cut) & lanes & ~sign_bits(outside);
-      const unsigned int more   = sign_bits(by_more) & is_cut;
-      return {lanes & ~sign_bits(cut), is_cut & ~more, more};
+      const unsigned int in   = lanes & ~sign_bits(outside);
+      const SimdMask     both = s[0] & s[1], also_both = s[2] & s[3],
+                     either = s[0] | s[1], or_either = s[2] | s[3];
+      const unsigned int one    = in & sign_bits(either | or_either),
+                         two    = in & sign_bits(both | also_both |
+                                              (either & or_either)),
+                         three  = in & sign_bits((both & or_either) |
+                                                (also_both & either)),
+                         four   = in & sign_bits(both & also_both),
+                         corner = two & sign_bits(three_outside);
+      return {{in & ~one,
+               one & ~two,
+               two & ~(three | corner),
+               three & ~(four | corner),
+               four & ~corner},
+              corner};
     }
 
-    /** Exchanges two numbers where a mask is true. */
-    void
-    exchange(const SimdMask &where, Simd &a, Simd &b)
+    /** Planes with one corner inside. */
+    struct CornerPlane
     {
-      const Simd old = a;
-      a              = select(where, b, a);
-      b              = select(where, old, b);
-    }
-
-    /**
-     * A plane's cut through simplices. p0 to p3 are the corners in descending
-     * order of their distance to the plane, t_ij is how far it is from corner i
-     * inside to the plane, on the way to corner j outside.
-     */
-    class Cut
-    {
-    public:
-      /** @param f the coordinates of the four corners: at least one is
-       * negative, and one is not. */
-      explicit Cut(std::array<Simd, 4> f)
+      explicit CornerPlane(const std::array<PointBatch, 4> &p)
       {
-        for (unsigned int i = 0; i < 5; ++i)
+        for (unsigned int k = 0; k < 3; ++k)
           {
-            Simd &a = f[exchanges[i][0]], &b = f[exchanges[i][1]];
-            swaps[i]     = a < b;
-            const Simd x = a;
-            a            = select(swaps[i], b, a);
-            b            = select(swaps[i], x, b);
+            const SimdMask a = (SimdMask)p[0][k], b = (SimdMask)p[1][k],
+                           c = (SimdMask)p[2][k], d = (SimdMask)p[3][k];
+            is[k] = (((a & b) & (c | d)) | ((c & d) & (a | b))) < 0;
           }
-        has_one           = f[1] < 0;
-        has_three         = f[2] >= 0;
-        const auto cut_at = [](const Simd &in, const Simd &out) {
-          return in / (in - out);
-        };
-        x = cut_at(f[0], f[3]);
-        y =
-          cut_at(select(has_three, f[1], f[0]), select(has_three, f[3], f[2]));
-        z = cut_at(select(has_one, f[0], select(has_three, f[2], f[1])),
-                   select(has_one, f[1], select(has_three, f[3], f[2])));
-        w = cut_at(f[1], f[3]);
-
-        const Simd one = broadcast(1), zero{};
-        shares[0]      = select(has_three, z, y * x) * select(has_one, z, one);
-        shares[1]      = select(has_one,
-                           zero,
-                           select(has_three, y * (one - z), (one - y) * x * z));
-        shares[2]      = select(
-          has_one,
-          zero,
-          select(has_three, x * (one - y) * (one - z), (one - x) * z * w));
-      }
-
-      /** Brings numbers of the corners into the order of p0 to p3. */
-      void
-      sort(Simd &p0, Simd &p1, Simd &p2, Simd &p3) const
-      {
-        exchange(swaps[0], p0, p1);
-        exchange(swaps[1], p2, p3);
-        exchange(swaps[2], p0, p2);
-        exchange(swaps[3], p1, p3);
-        exchange(swaps[4], p1, p2);
-      }
-
-      /** The inverse of sort(). */
-      void
-      unsort(Simd &p0, Simd &p1, Simd &p2, Simd &p3) const
-      {
-        exchange(swaps[4], p1, p2);
-        exchange(swaps[3], p1, p3);
-        exchange(swaps[2], p0, p2);
-        exchange(swaps[1], p2, p3);
-        exchange(swaps[0], p0, p1);
-      }
-
-      static constexpr unsigned int exchanges[5][2] = {{0, 1},
-                                                       {2, 3},
-                                                       {0, 2},
-                                                       {1, 3},
-                                                       {1, 2}};
-
-      SimdMask swaps[5];
-
-      /** Whether one corner is inside, or three; else there are two. */
-      SimdMask has_one, has_three;
-
-      /** t_03; t_02, of three inside t_13; t_12, of one inside t_01, of three
-       * t_23; and t_13. */
-      Simd x, y, z, w;
-
-      /** Volumes of the three simplices inside, over that of the whole; of one
-       * corner inside there is but the first. */
-      Simd shares[3];
-    };
-
-    Simd
-    between(const Simd &in, const Simd &out, const Simd &t)
-    {
-      return in + t * (out - in);
-    }
-
-    /** The coordinate of the only plane that cuts. */
-    std::array<Simd, 4>
-    last_plane(const std::array<PointBatch, 4> &p)
-    {
-      std::array<Simd, 4> f{{p[0][0], p[1][0], p[2][0], p[3][0]}};
-      for (unsigned int k = 1; k < 4; ++k)
-        {
-          const SimdMask is_cut = ((SimdMask)p[0][k] | (SimdMask)p[1][k] |
-                                   (SimdMask)p[2][k] | (SimdMask)p[3][k]) < 0;
-          for (unsigned int c = 0; c < 4; ++c)
-            f[c] = select(is_cut, p[c][k], f[c]);
-        }
-      return f;
-    }
-  } // namespace
-
-  struct SimplexClipper::Workspace
-  {
-    /** Adds volumes and moments, lane by lane: a body may be there more than
-     * once. */
-    void
-    accumulate(const Simd       &volume,
-               const PointBatch &moment,
-               const SimdMask   &body)
-    {
-      const std::array<Simd, 8> rows = transpose({{volume,
-                                                   moment[0],
-                                                   moment[1],
-                                                   moment[2],
-                                                   moment[3],
-                                                   moment[4],
-                                                   Simd{},
-                                                   Simd{}}});
-      for (unsigned int lane = 0; lane < batch_size; ++lane)
-        {
-          double *const part = &parts[body[lane]].volume;
-          store(load(part) + rows[lane], part);
-        }
-    }
-
-    void
-    divide(const SimplexBatch &whole, unsigned int lanes, Queue<1> *children);
-
-    void
-    finish(const SimplexBatch &whole, unsigned int lanes);
-
-    template <unsigned int level>
-    void
-    process(Queue<1> &queue);
-
-    void
-    flush();
-
-    BodyPart parts[no_body + 1];
-
-    /** Simplices that are cut by more than one plane: the bodies, then the
-     * children of those of the level before. */
-    Queue<1> bodies, children[2][3];
-
-    /** Those that are cut by one plane. */
-    Queue<9> last;
-  };
-
-  /** Adds simplices that a single plane cuts, without making any. */
-  void
-  SimplexClipper::Workspace::finish(const SimplexBatch &whole,
-                                    const unsigned int  lanes)
-  {
-    const auto &p = whole.corners;
-    const Cut   cut(last_plane(p));
-    const auto &v   = cut.shares;
-    const Simd  one = broadcast(1), zero{};
-
-    // How often each corner of the inner simplices is there, by their volumes.
-    const Simd of_x = select(cut.has_three, zero, v[0] + v[1]) + v[2],
-               of_y = select(cut.has_three, v[2], v[0]) + v[1],
-               of_z = select(cut.has_one | cut.has_three, v[0], zero) +
-                      (v[1] + v[2]),
-               of_w = select(cut.has_three, zero, v[2]);
-    // And thus the corners of the whole.
-    const Simd x_in = (one - cut.x) * of_x, x_out = cut.x * of_x,
-               y_in = (one - cut.y) * of_y, y_out = cut.y * of_y,
-               z_in = (one - cut.z) * of_z, z_out = cut.z * of_z,
-               w_in        = select(cut.has_one, zero, (one - cut.w) * of_w),
-               w_out       = select(cut.has_one, zero, cut.w * of_w);
-    const SimdMask has_two = ~(cut.has_one | cut.has_three);
-    Simd           w0 = v[0] + select(cut.has_three, v[1] + v[2], y_in) + x_in +
-              select(cut.has_one, z_in, zero);
-    Simd w1 = select(cut.has_one, z_out, v[0] + v[1]) +
-              select(cut.has_three, y_in, select(has_two, v[2] + z_in, zero)) +
-              w_in;
-    Simd w2 =
-      select(cut.has_three, v[0] + z_in, y_out) + select(has_two, z_out, zero);
-    Simd w3 = x_out + w_out + select(cut.has_three, y_out + z_out, zero);
-    cut.unsort(w0, w1, w2, w3);
-
-    const Simd quarter = .25 * whole.volume;
-    w0 *= quarter;
-    w1 *= quarter;
-    w2 *= quarter;
-    w3 *= quarter;
-    PointBatch moment;
-    for (unsigned int k = 0; k < n_point_coordinates; ++k)
-      moment[k] = (w0 * p[0][k] + w1 * p[1][k]) + (w2 * p[2][k] + w3 * p[3][k]);
-    accumulate(whole.volume * (v[0] + v[1] + v[2]),
-               moment,
-               mask_of(lanes) ? whole.body : SimdMask{} + no_body);
-  }
-
-  namespace
-  {
-    /** The planes that leave least to do for the others: those with the fewest
-     * corners inside, and of these with the shallowest. */
-    struct Choice
-    {
-      explicit Choice(const std::array<PointBatch, 4> &p)
-      {
-        // Coordinates may be large, but then their sums only decide worse.
-        constexpr double outside = -1e3;
-        constexpr double largest = std::numeric_limits<double>::max();
-        Simd             keys[4];
-        for (unsigned int k = 0; k < 4; ++k)
-          {
-            SimdMask is_cut{};
-            Simd     key{};
-            for (unsigned int c = 0; c < 4; ++c)
-              {
-                const SimdMask is_outside = p[c][k] < 0;
-                key += select(is_outside, broadcast(outside), p[c][k]);
-                is_cut |= is_outside;
-              }
-            keys[k] = select(is_cut, key, broadcast(largest));
-          }
-        const Simd least = min(min(keys[0], keys[1]), min(keys[2], keys[3]));
-        is[0]            = keys[0] == least;
-        is[1]            = (keys[1] == least) & ~is[0];
-        is[2]            = (keys[2] == least) & ~(is[0] | is[1]);
-        is[3]            = ~(is[0] | is[1] | is[2]);
+        is[1] &= ~is[0];
+        is[2] &= ~(is[0] | is[1]);
+        is[3] = ~(is[0] | is[1] | is[2]);
         for (unsigned int c = 0; c < 4; ++c)
-          f[c] =
+          plane[c] =
             select(is[0],
                    p[c][0],
                    select(is[1], p[c][1], select(is[2], p[c][2], p[c][3])));
@@ -349,114 +123,165 @@ namespace rift
       /** Whether it is the plane of that coordinate. */
       SimdMask is[4];
 
-      /** The coordinates of the corners. */
-      std::array<Simd, 4> f;
+      Plane plane;
     };
+
+    /** Replaces simplices by the part at their only corner inside of a plane.
+     */
+    void
+    cut_to_corner(SimplexBatch &simplices)
+    {
+      const CornerPlane choice(simplices.corners);
+      Plane             f = choice.plane;
+      SimdMask          is_inside[4];
+      for (unsigned int c = 1; c < 4; ++c)
+        {
+          is_inside[c] = f[c] >= 0;
+          exchange(is_inside[c], f[0], f[c]);
+        }
+      const Simd d1 = f[0] - f[1], d2 = f[0] - f[2], d3 = f[0] - f[3];
+      const Simd d12 = d1 * d2, one = broadcast(1);
+      const Simd over_all = f[0] / (d12 * d3), over_12 = over_all * d3;
+      const Simd t[4] = {one,
+                         min(over_12 * d2, one),
+                         min(over_12 * d1, one),
+                         min(over_all * d12, one)};
+      for (unsigned int k = 0; k < n_point_coordinates; ++k)
+        {
+          auto &p  = simplices.corners;
+          Simd  p0 = p[0][k];
+          for (unsigned int c = 1; c < 4; ++c)
+            exchange(is_inside[c], p0, p[c][k]);
+          p[0][k] = p0;
+          for (unsigned int c = 1; c < 4; ++c)
+            {
+              // Exactly in the plane, which it is not cut by again.
+              const Simd x = p0 + t[c] * (p[c][k] - p0);
+              p[c][k]      = k < 4 ? select(choice.is[k], Simd{}, x) : x;
+            }
+        }
+      simplices.volume *= t[1] * t[2] * t[3];
+    }
+
+    SimdMask
+    cuts(const std::array<PointBatch, 4> &p, const unsigned int k)
+    {
+      return (((SimdMask)p[0][k] | (SimdMask)p[1][k]) |
+              ((SimdMask)p[2][k] | (SimdMask)p[3][k])) < 0;
+    }
+
+    /** The first n of the planes that cut. */
+    template <std::size_t n>
+    std::array<Plane, n>
+    cutting_planes(const std::array<PointBatch, 4> &p)
+    {
+      static_assert(n >= 1 && n <= 4);
+      const SimdMask by_0 = cuts(p, 0), by_1 = cuts(p, 1), by_2 = cuts(p, 2);
+      std::array<Plane, n> planes;
+      for (unsigned int c = 0; c < 4; ++c)
+        {
+          const PointBatch &x = p[c];
+          if constexpr (n == 1)
+            planes[0][c] =
+              select(by_0, x[0], select(by_1, x[1], select(by_2, x[2], x[3])));
+          if constexpr (n == 2)
+            {
+              planes[0][c] = select(by_0, x[0], select(by_1, x[1], x[2]));
+              planes[1][c] = select(by_0 & by_1,
+                                    x[1],
+                                    select(by_2 & (by_0 | by_1), x[2], x[3]));
+            }
+          if constexpr (n == 4)
+            for (unsigned int k = 0; k < n; ++k)
+              planes[k][c] = x[k];
+          if constexpr (n == 3)
+            {
+              planes[0][c] = select(by_0, x[0], x[1]);
+              planes[1][c] = select(by_0 & by_1, x[1], x[2]);
+              planes[2][c] = select((by_0 & by_1) & by_2, x[2], x[3]);
+            }
+        }
+      return planes;
+    }
   } // namespace
 
-  /** Cuts simplices by one of their planes. What is left of them is added,
-   * waits for its last cut or goes to the children. */
-  void
-  SimplexClipper::Workspace::divide(const SimplexBatch &whole,
-                                    const unsigned int  lanes,
-                                    Queue<1>           *children)
+  struct SimplexClipper::Workspace
   {
-    const Choice plane(whole.corners);
-    const Cut    cut(plane.f);
+    /** Sorts simplices into the queues, or records those that need no cut. */
+    void
+    sort_in(const SimplexBatch &simplices, unsigned int lanes);
 
-    SimplexBatch parts[3];
+    /** Sets the parts of bodies. @param weights of the corners of what is left
+     * of them, in what is inside. */
+    void
+    record(const SimplexBatch &rest,
+           const Weights      &weights,
+           unsigned int        lanes);
+
+    /** Replaces simplices by their only corner inside of a plane. */
+    void
+    cut_corners();
+
+    template <std::size_t n>
+    void
+    finish();
+
+    BodyPart parts[no_body + 1];
+
+    /** Simplices by the number of planes that cut them, and those of which a
+     * plane leaves only one corner. */
+    Queue queues[5], corners;
+  };
+
+  void
+  SimplexClipper::Workspace::sort_in(const SimplexBatch &simplices,
+                                     const unsigned int  lanes)
+  {
+    const Kinds kinds = kinds_of(simplices.corners, lanes);
+    if (kinds.cut_by[0] != 0)
+      record(simplices, inside<0>({}), kinds.cut_by[0]);
+    for (unsigned int n = 1; n <= 4; ++n)
+      queues[n].push(simplices, kinds.cut_by[n]);
+    corners.push(simplices, kinds.corner);
+  }
+
+  void
+  SimplexClipper::Workspace::record(const SimplexBatch &rest,
+                                    const Weights      &weights,
+                                    const unsigned int  lanes)
+  {
+    Weights w;
+    for (unsigned int c = 0; c < 4; ++c)
+      w[c] = rest.volume * weights[c];
+    std::array<Simd, 8> columns{};
+    columns[0] = (w[0] + w[1]) + (w[2] + w[3]);
     for (unsigned int k = 0; k < n_point_coordinates; ++k)
-      {
-        Simd p0 = whole.corners[0][k], p1 = whole.corners[1][k],
-             p2 = whole.corners[2][k], p3 = whole.corners[3][k];
-        cut.sort(p0, p1, p2, p3);
-        // Exactly in the plane, which they are not cut by again.
-        const auto point = [&](const Simd &in, const Simd &out, const Simd &t) {
-          const Simd value = between(in, out, t);
-          return k < 4 ? select(plane.is[k], Simd{}, value) : value;
-        };
-        const Simd x = point(p0, p3, cut.x);
-        const Simd y = point(select(cut.has_three, p1, p0),
-                             select(cut.has_three, p3, p2),
-                             cut.y);
-        const Simd z =
-          point(select(cut.has_one, p0, select(cut.has_three, p2, p1)),
-                select(cut.has_one, p1, select(cut.has_three, p3, p2)),
-                cut.z);
-        const Simd w = point(p1, p3, cut.w);
-
-        parts[0].corners[0][k] = p0;
-        parts[0].corners[1][k] = select(cut.has_one, z, p1);
-        parts[0].corners[2][k] = select(cut.has_three, p2, y);
-        parts[0].corners[3][k] = select(cut.has_three, z, x);
-        parts[1].corners[0][k] = select(cut.has_three, p0, x);
-        parts[1].corners[1][k] = p1;
-        parts[1].corners[2][k] = y;
-        parts[1].corners[3][k] = z;
-        parts[2].corners[0][k] = select(cut.has_three, p0, p1);
-        parts[2].corners[1][k] = x;
-        parts[2].corners[2][k] = select(cut.has_three, y, w);
-        parts[2].corners[3][k] = z;
-      }
-
-    unsigned int       any_whole = 0;
-    Simd               volume{};
-    PointBatch         moment{};
-    const unsigned int has_more = lanes & ~sign_bits(cut.has_one);
-    for (unsigned int i = 0; i < 3; ++i)
-      {
-        parts[i].volume = whole.volume * cut.shares[i];
-        parts[i].body   = whole.body;
-        // What is not a number is a volume, too.
-        const Kinds kinds = kinds_of(parts[i].corners,
-                                     (i == 0 ? lanes : has_more) &
-                                       ~sign_bits(parts[i].volume == 0));
-        last.push(parts[i], kinds.last);
-        if (children != nullptr)
-          children[i].push(parts[i], kinds.more);
-        if (kinds.whole == 0)
-          continue;
-        any_whole |= kinds.whole;
-        const Simd v = select(mask_of(kinds.whole), parts[i].volume, Simd{});
-        volume += v;
-        const auto &p = parts[i].corners;
-        for (unsigned int k = 0; k < n_point_coordinates; ++k)
-          moment[k] +=
-            select(mask_of(kinds.whole),
-                   (.25 * v) * ((p[0][k] + p[1][k]) + (p[2][k] + p[3][k])),
-                   Simd{});
-      }
-    if (any_whole != 0)
-      accumulate(volume,
-                 moment,
-                 mask_of(lanes) ? whole.body : SimdMask{} + no_body);
-  }
-
-  template <unsigned int level>
-  void
-  SimplexClipper::Workspace::process(Queue<1> &queue)
-  {
-    Queue<1> *const next = level < 2 ? children[level] : nullptr;
-    for (unsigned int i = 0; i < queue.size(); i += batch_size)
-      divide(queue.read(i), queue.lanes(i), next);
-    queue.clear();
-    if constexpr (level == 0)
-      flush();
-    if constexpr (level < 2)
-      for (unsigned int i = 0; i < 3; ++i)
-        {
-          process<level + 1>(next[i]);
-          if constexpr (level == 0)
-            flush();
-        }
+      columns[1 + k] = (w[0] * rest.corners[0][k] + w[1] * rest.corners[1][k]) +
+                       (w[2] * rest.corners[2][k] + w[3] * rest.corners[3][k]);
+    const std::array<Simd, 8> rows = transpose(columns);
+    const SimdMask body = mask_of(lanes) ? rest.body : SimdMask{} + no_body;
+    for (unsigned int lane = 0; lane < batch_size; ++lane)
+      store(rows[lane], &parts[body[lane]].volume);
   }
 
   void
-  SimplexClipper::Workspace::flush()
+  SimplexClipper::Workspace::cut_corners()
   {
-    for (unsigned int i = 0; i < last.size(); i += batch_size)
-      finish(last.read(i), last.lanes(i));
-    last.clear();
+    SimplexBatch simplices;
+    while (const unsigned int lanes = corners.take(simplices))
+      {
+        cut_to_corner(simplices);
+        sort_in(simplices, lanes);
+      }
+  }
+
+  template <std::size_t n>
+  void
+  SimplexClipper::Workspace::finish()
+  {
+    SimplexBatch simplices;
+    while (const unsigned int lanes = queues[n].take(simplices))
+      record(simplices, inside<n>(cutting_planes<n>(simplices.corners)), lanes);
   }
 
   SimplexClipper::SimplexClipper()
@@ -477,26 +302,17 @@ namespace rift
   void
   SimplexClipper::add(const SimplexBatch &simplices, const unsigned int lanes)
   {
-    const Kinds kinds = kinds_of(simplices.corners, lanes);
-    workspace->bodies.push(simplices, kinds.more);
-    workspace->last.push(simplices, kinds.last);
-    if (kinds.whole == 0)
-      return;
-    const auto &p = simplices.corners;
-    PointBatch  moment;
-    for (unsigned int k = 0; k < n_point_coordinates; ++k)
-      moment[k] =
-        (.25 * simplices.volume) * ((p[0][k] + p[1][k]) + (p[2][k] + p[3][k]));
-    workspace->accumulate(simplices.volume,
-                          moment,
-                          mask_of(kinds.whole) ? simplices.body :
-                                                 SimdMask{} + no_body);
+    workspace->sort_in(simplices, lanes);
   }
 
   void
   SimplexClipper::clip()
   {
-    workspace->process<0>(workspace->bodies);
+    workspace->cut_corners();
+    workspace->finish<1>();
+    workspace->finish<2>();
+    workspace->finish<3>();
+    workspace->finish<4>();
   }
 
   const BodyPart *

@@ -26,6 +26,7 @@ namespace rift
     /** A cell in pairs. */
     struct Member
     {
+      /** As its owner has told of it last. */
       ContactCell cell;
 
       /** Here; invalid_index if this rank does not see it. */

@@ -43,9 +43,14 @@ namespace rift
   /** Two cells that may overlap, and what they remember. */
   struct ContactPair
   {
-    CellPair         cells;
+    /** A and B. */
+    CellPair cells;
+
+    /** Set by the owner of the pair. */
     ContactConstants constants;
-    ContactMemory    memory;
+
+    /** Updated in each step. */
+    ContactMemory memory;
   };
 
   static_assert(sizeof(ContactPair) == 13 * 8,

@@ -37,6 +37,7 @@ namespace rift
   /** Barycentric coordinates in each of eight tetrahedra. */
   struct FrameBatch
   {
+    /** Of tetrahedra of positive volume. */
     explicit FrameBatch(const TetrahedronBatch &t)
       : origin(t[0])
     {

@@ -18,6 +18,7 @@ namespace rift
     /** A face whose state has changed. */
     struct Change
     {
+      /** Its index in Topology::faces, and its state then and now. */
       FaceIndex face;
       FaceState before, now;
     };

@@ -19,6 +19,7 @@ namespace rift
   /** Eight simplices, each a part of a body. */
   struct SimplexBatch
   {
+    /** In any order. */
     std::array<PointBatch, 4> corners;
 
     /** m^3. */
@@ -28,11 +29,15 @@ namespace rift
     SimdMask body;
   };
 
-  /** What of a body has no negative coordinates: its volume, m^3, and the
-   * integrals of the coordinates over it, then zeros. */
+  /** What of a body has no negative coordinates: eight numbers, to be read at
+   * once. */
   struct alignas(64) BodyPart
   {
-    double volume, moment[n_point_coordinates], unused[2];
+    /** m^3, and the integrals of the coordinates over it. */
+    double volume, moment[n_point_coordinates];
+
+    /** Zeros. */
+    double unused[2];
   };
 
   /**
@@ -41,8 +46,11 @@ namespace rift
    * A plane cuts a simplex into at most three simplices on the inner side,
    * whose volumes are products of positive numbers: nothing cancels, and the
    * result depends continuously on the corners through all types of
-   * intersection. The sums of a body are made in an order that does not depend
-   * on the others: it has the same bits in any company.
+   * intersection. Of these inner simplices, which the other planes cut in turn,
+   * none is made: volume and centroid follow from weights of the corners, which
+   * are sums of such products. Bodies wait for others that are cut by as many
+   * planes and then go their way eight at a time; each has the same bits in any
+   * company.
    */
   class SimplexClipper
   {
@@ -57,7 +65,7 @@ namespace rift
     void
     start(unsigned int n_bodies);
 
-    /** Adds bodies, each a simplex. To be called once for each body.
+    /** Adds bodies, each a simplex.
      * @param lanes bits of those to be added. */
     void
     add(const SimplexBatch &simplices, unsigned int lanes);

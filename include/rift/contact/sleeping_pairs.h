@@ -16,14 +16,17 @@ namespace rift
   class SleepingPairs
   {
   public:
-    /** @param gap m.
-     * @param axis that parts them; see find_gaps(). */
+    /** Adds a pair.
+     *
+     * @param axis that parts the cells; see find_gaps().
+     * @param wake the path, m, at which they may have met. */
     void
     add(const CellPair &cells, std::uint8_t axis, double wake);
 
     /** A pair that has woken. */
     struct Woken
     {
+      /** The cells, and the axis that parted them. */
       CellPair     cells;
       std::uint8_t axis;
     };
