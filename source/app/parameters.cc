@@ -339,7 +339,10 @@ namespace rift
         result += (result.empty() ? "" : ", ") + entry.name;
       return result.empty() ? std::string("none") : result;
     };
-    const MeshParameters &mesh = parameters.mesh;
+    const MeshParameters    &mesh    = parameters.mesh;
+    const ContactParameters &contact = parameters.contact;
+    const bool               can_break =
+      parameters.cohesive.model != CohesiveParameters::Model::none;
     if (!parameters.title.empty())
       out << "title:      " << parameters.title << '\n';
     out << "mesh:       "
@@ -352,11 +355,9 @@ namespace rift
         << "probes:     " << names(parameters.probes) << '\n'
         << "fracture:   " << to_string(parameters.cohesive.model) << '\n'
         << "contact:    "
-        << (parameters.contact.mode == ContactParameters::Mode::on ?
-              "yes" :
-            parameters.contact.mode == ContactParameters::Mode::off ?
-              "no" :
-              "where something breaks or bodies meet")
+        << (contact.is_active(can_break, 1) ? "yes" :
+            contact.is_active(can_break, 2) ? "if there are several bodies" :
+                                              "no")
         << '\n'
         << "end time:   " << short_text(parameters.time.end_time) << " s\n"
         << "output:     " << parameters.output.directory << '\n';

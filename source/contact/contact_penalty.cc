@@ -35,6 +35,8 @@ namespace rift
   ContactStiffnesses::of_cell(const CellIndex cell) const
   {
     ContactStiffness result{infinity, infinity};
+    for (unsigned int face = 0; face < n_corners; ++face)
+      result.height = std::min(result.height, height(cell, face));
     for (unsigned int corner = 0; corner < n_corners; ++corner)
       {
         bool is_touched = false;
@@ -45,18 +47,12 @@ namespace rift
             std::min(result.per_area,
                      per_area_of_node(topology.node(cell, corner)));
       }
-    for (unsigned int face = 0; face < n_corners; ++face)
-      if (is_exposed(cell, face))
-        result.height = std::min(result.height, height(cell, face));
-    if (result.height < infinity)
+    if (result.per_area < infinity || spare_stiffness[cell] == infinity)
       return result;
 
-    for (unsigned int i = 0; i < n_corners; ++i)
-      {
-        result.per_area =
-          std::min(result.per_area, per_area_of_loose_corner(cell, i));
-        result.height = std::min(result.height, height(cell, i));
-      }
+    for (unsigned int corner = 0; corner < n_corners; ++corner)
+      result.per_area =
+        std::min(result.per_area, per_area_of_loose_corner(cell, corner));
     return result;
   }
 
@@ -65,7 +61,7 @@ namespace rift
   {
     const VertexIndex vertex = topology.node_vertices[node];
     rift_check(topology.is_complete(vertex));
-    double          spare = 0;
+    double          spare = 0, largest_area = 0;
     Matrix3<double> faces{};
     for (auto cell = topology.vertex_cells_first(vertex);
          cell != topology.vertex_cells_last(vertex);
@@ -79,12 +75,15 @@ namespace rift
           if (face != corner)
             {
               n_bonds += is_bonded(*cell, face);
+              largest_area =
+                std::max(largest_area,
+                         norm(reference_area_vector(reference, *cell, face)));
               if (is_exposed(*cell, face))
                 add_face(*cell, face, faces);
             }
         spare += (1 - n_bonds * share_of_bond) * spare_stiffness[*cell];
       }
-    return spare / largest_eigenvalue(faces);
+    return spare / std::max(largest_eigenvalue(faces), largest_area / 3);
   }
 
   double

@@ -105,8 +105,6 @@ namespace rift
     energies.damping  = archive.read_sum("contact: damping");
     surface.load(state, archive);
     search(state, 0, surface.cells());
-    exchange(state);
-    start_pairs(state);
 
     std::unordered_map<PairName, ContactMemory> memories;
     for (const PairRecord &record :
@@ -118,8 +116,24 @@ namespace rift
         record.damping_force,
         record.penalty,
         record.energy};
-    // Others have met since their forces were computed last.
+    // Some have parted since their forces were computed last, others have met.
+    std::vector<ContactPair> restored;
+    std::vector<CellPair>    others;
+    for (const CellPair &cells : born)
+      if (const auto memory = memories.find(name_of(cells));
+          memory != memories.end())
+        {
+          restored.push_back(make_pair(cells));
+          restored.back().memory = memory->second;
+        }
+      else
+        others.push_back(cells);
+    born = std::move(others);
+    merge(std::move(restored));
+    exchange(state);
+    start_pairs(state);
     for (ContactPair &pair : in_play)
-      pair.memory = memories[name_of(pair.cells)];
+      if (memories.count(name_of(pair.cells)) == 0)
+        pair.memory = {};
   }
 } // namespace rift

@@ -306,7 +306,7 @@ TEST_F(ParametersTest, SummaryNamesWhatTheSceneHas)
               "boundaries: loaded, side\n"
               "probes:     fspv, middle\n"
               "fracture:   extrinsic\n"
-              "contact:    no\n"
+              "contact:    yes\n"
               "end time:   0.0002 s\n"
               "output:     somewhere else\n");
 

@@ -15,7 +15,7 @@ namespace rift
      * cell. */
     double per_area;
 
-    /** m: least height over the faces that others may touch. */
+    /** m: least height. */
     double height;
   };
 
