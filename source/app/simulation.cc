@@ -268,6 +268,7 @@ namespace rift
 
     // 10. Loads and warnings follow the pieces of the body
     follow_fragments();
+    warn_of_modules();
     timer.stop(Stage::output);
   }
 

@@ -24,7 +24,7 @@ namespace rift
     /** Number of steps between two looks at the pieces: where loads depend on
      * them, and for warnings alone. */
     constexpr std::uint64_t fragment_interval_of_loads = 20;
-    constexpr std::uint64_t fragment_interval          = 500;
+    constexpr std::uint64_t warning_interval           = 500;
 
     /** Ranks ask each other about so often whether all goes well... */
     constexpr double seconds_between_synchronizations = .5;
@@ -115,6 +115,7 @@ namespace rift
   Simulation::finish()
   {
     follow_fragments(true);
+    warn_of_modules(true);
     warn_of_results(count_faces());
     results.finish(snapshot(), summarize());
     log_end(count_faces());
@@ -129,7 +130,7 @@ namespace rift
         return module->needs_fragments();
       });
     const std::uint64_t step      = state().step;
-    const bool          is_warned = is_end || step % fragment_interval == 0;
+    const bool          is_warned = is_end || step % warning_interval == 0;
     if (!is_warned && !(is_needed && step % fragment_interval_of_loads == 0))
       return;
     const auto &states = topology().face_states;
@@ -158,6 +159,16 @@ namespace rift
         log.warn_once(warning);
     if (is_warned)
       for (const Warning &warning : fragment_watch.look(fragments))
+        log.warn_once(warning);
+  }
+
+  void
+  Simulation::warn_of_modules(const bool is_end)
+  {
+    if (!is_end && state().step % warning_interval != 0)
+      return;
+    for (const auto &module : modules)
+      for (const Warning &warning : module->warnings_so_far())
         log.warn_once(warning);
   }
 
@@ -227,6 +238,7 @@ namespace rift
         }
     };
     attempt([&] { follow_fragments(true); });
+    attempt([&] { warn_of_modules(true); });
     attempt([&] { results.write_history(snapshot()); });
     attempt([&] { results.write_solution(snapshot()); });
     Summary summary    = summarize();

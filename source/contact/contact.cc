@@ -1,5 +1,5 @@
 #include <rift/base/number_text.h>
-#include <rift/base/parameter_text.h>
+#include <rift/base/vector_text.h>
 #include <rift/contact/contact.h>
 #include <rift/solid/cell_frequency.h>
 
@@ -166,20 +166,29 @@ namespace rift
   void
   Contact::add_forces(StepContext &step)
   {
-    const State &state = step.body.state;
-    const auto   deep  = force->add_to(step.body.state,
-                                    step.body.activity,
-                                    state.step > 0 ? step.time_step : 0);
-    if (deep)
-      step.failures.note(
-        {state.step,
-         deep->a,
-         "cells " + std::to_string(deep->a) + " and " +
-           std::to_string(deep->b) + " lie in each other by more than " +
-           to_text(largest_mean_potential) +
-           " of their height: contact is too soft for this impact or load",
-         "Set a larger \"Stiffness factor\" in subsection Contact, or choose a "
-         "weaker load."});
+    force->add_to(step.body.state,
+                  step.body.activity,
+                  step.body.state.step > 0 ? step.time_step : 0);
+  }
+
+  std::vector<Warning>
+  Contact::warnings_so_far() const
+  {
+    const auto deep = force->deep_overlaps();
+    if (!deep)
+      return {};
+    const DeepOverlap &first = deep->first;
+    return {
+      {"contact is too soft for this impact or load",
+       ": " + std::to_string(deep->n_pairs) +
+         (deep->n_pairs == 1 ? " pair of cells has" : " pairs of cells have") +
+         " lain in each other by more than " + to_text(largest_mean_potential) +
+         " of the height so far, first cells " + std::to_string(first.a) +
+         " and " + std::to_string(first.b) + " at t = " +
+         short_text(first.time) + " s at " + place_text(first.place) +
+         ". What presses more goes on into the other body. Set a larger "
+         "\"Stiffness factor\" in subsection Contact, or choose a weaker "
+         "load."}};
   }
 
   void

@@ -85,6 +85,12 @@ namespace rift
         const std::vector<CellIndex> let_go = surface.look(state, path);
         news.insert(news.end(), let_go.begin(), let_go.end());
       }
+    for (const CellIndex cell : deep_cells)
+      {
+        const std::vector<CellIndex> behind = surface.include_behind(cell);
+        news.insert(news.end(), behind.begin(), behind.end());
+      }
+    deep_cells.clear();
     if (!(path + move < next_survey))
       add_moved(state, time_step, news);
     update_stiffnesses();
@@ -405,7 +411,7 @@ namespace rift
     touches.resize(n);
   }
 
-  std::optional<DeepOverlap>
+  void
   ContactForce::add_to(State &state, Activity &activity, const double time_step)
   {
     wake_pairs(state);
@@ -415,7 +421,6 @@ namespace rift
     energies.elastic = ExactSum();
     overlaps.resize(in_play.size());
     touches.resize(in_play.size());
-    std::optional<DeepOverlap>                     deep;
     std::array<PairForces, PairKernel::chunk_size> forces;
     for (std::size_t begin = 0; begin < in_play.size();
          begin += PairKernel::chunk_size)
@@ -435,8 +440,8 @@ namespace rift
             const ContactCell &a     = members[cells.a].cell;
             overlaps[begin + i]      = f.overlaps;
             touches[begin + i]       = f.touches;
-            if (f.is_too_deep && !deep)
-              deep = DeepOverlap{a.cell, members[cells.b].cell.cell};
+            if (f.is_deep || f.is_too_deep)
+              note_depth(cells, f, state);
             if (a.owner == communicator.rank())
               {
                 energies.elastic.add(f.energy);
@@ -450,7 +455,6 @@ namespace rift
           }
       }
     release_parted();
-    return deep;
   }
 
   void

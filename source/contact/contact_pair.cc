@@ -82,13 +82,14 @@ namespace rift
             forces[lane].damping_loss  = damping_loss[lane];
             forces[lane].overlaps      = overlaps[lane] != 0;
             forces[lane].touches       = energy[lane] > 0;
+            forces[lane].is_deep       = is_deep[lane] != 0;
             forces[lane].is_too_deep   = is_too_deep[lane] != 0;
           }
       }
 
       std::array<Vector3<Simd>, 4> on_a, on_b;
       Simd                         energy, friction_loss, damping_loss;
-      SimdMask                     overlaps, is_too_deep;
+      SimdMask                     overlaps, is_deep, is_too_deep;
     };
 
     Vector3<Simd>
@@ -206,7 +207,8 @@ namespace rift
       const Simd slope        = pairs.penalty * excess / root;
       rift_check(!any(result.overlaps &
                       ((common.potential < 0) | (initial < 0) | (slope < 0))));
-      result.energy = pairs.penalty * excess * excess;
+      result.energy  = pairs.penalty * excess * excess;
+      result.is_deep = common.potential > deep_mean_potential * common.volume;
       result.is_too_deep =
         (initial == 0) &
         ((common.potential > largest_mean_potential * common.volume) |
@@ -314,6 +316,7 @@ namespace rift
       result.energy       = rift::select(rubs,
                                    result.energy + pairs.spring_energy(),
                                    rift::select(overlaps, result.energy, zero));
+      result.is_deep &= overlaps;
       result.is_too_deep &= overlaps;
       for (unsigned int c = 0; c < 4; ++c)
         {

@@ -52,7 +52,7 @@ namespace rift
 
     for (unsigned int corner = 0; corner < n_corners; ++corner)
       result.per_area =
-        std::min(result.per_area, per_area_of_loose_corner(cell, corner));
+        std::min(result.per_area, per_area_inside(topology.node(cell, corner)));
     return result;
   }
 
@@ -87,14 +87,25 @@ namespace rift
   }
 
   double
-  ContactStiffnesses::per_area_of_loose_corner(const CellIndex    cell,
-                                               const unsigned int corner) const
+  ContactStiffnesses::per_area_inside(const NodeIndex node) const
   {
+    const VertexIndex vertex = topology.node_vertices[node];
+    rift_check(topology.is_complete(vertex));
+    double          spare = 0;
     Matrix3<double> faces{};
-    for (unsigned int face = 0; face < n_corners; ++face)
-      if (face != corner)
-        add_face(cell, face, faces);
-    return spare_stiffness[cell] / largest_eigenvalue(faces);
+    for (auto cell = topology.vertex_cells_first(vertex);
+         cell != topology.vertex_cells_last(vertex);
+         ++cell)
+      {
+        const unsigned int corner = topology.corner_at_vertex(*cell, vertex);
+        if (topology.node(*cell, corner) != node)
+          continue;
+        spare += spare_stiffness[*cell];
+        for (unsigned int face = 0; face < n_corners; ++face)
+          if (face != corner)
+            add_face(*cell, face, faces, is_intact(*cell, face) ? .25 : 1);
+      }
+    return spare / largest_eigenvalue(faces);
   }
 
   bool
@@ -116,6 +127,13 @@ namespace rift
            topology.face_states[index] != FaceState::released;
   }
 
+  bool
+  ContactStiffnesses::is_intact(const CellIndex    cell,
+                                const unsigned int face) const
+  {
+    return !is_exposed(cell, face) && !is_bonded(cell, face);
+  }
+
   double
   ContactStiffnesses::height(const CellIndex    cell,
                              const unsigned int face) const
@@ -127,7 +145,8 @@ namespace rift
   void
   ContactStiffnesses::add_face(const CellIndex    cell,
                                const unsigned int face,
-                               Matrix3<double>   &sum) const
+                               Matrix3<double>   &sum,
+                               const double       share) const
   {
     const Vector3<double> vector = reference_area_vector(reference, cell, face);
     const double          area   = norm(vector);
@@ -135,10 +154,10 @@ namespace rift
     // the spring of friction across.
     for (unsigned int i = 0; i < dim; ++i)
       {
-        sum[i][i] += friction_stiffness_ratio * area / 3;
+        sum[i][i] += share * (friction_stiffness_ratio * area / 3);
         for (unsigned int j = 0; j < dim; ++j)
-          sum[i][j] +=
-            (1 - friction_stiffness_ratio) / 3 * vector[i] * vector[j] / area;
+          sum[i][j] += share * ((1 - friction_stiffness_ratio) / 3 * vector[i] *
+                                vector[j] / area);
       }
   }
 } // namespace rift

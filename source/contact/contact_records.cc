@@ -3,7 +3,8 @@
 #include <rift/contact/contact_force.h>
 
 #include <algorithm>
-#include <stdexcept>
+#include <limits>
+#include <tuple>
 
 // Looking at contact from outside: overlaps at the start, checkpoints.
 namespace rift
@@ -18,12 +19,25 @@ namespace rift
       double          penalty, energy;
     };
 
+    /** DeepOverlap, for a checkpoint. */
+    struct DeepRecord
+    {
+      GlobalCellIndex a, b;
+      std::uint64_t   step;
+      double          time, place[dim];
+    };
   } // namespace
 
   template <>
   struct HasPlainBytes<PairRecord> : std::true_type
   {
     static_assert(sizeof(PairRecord) == 2 * 4 + 8 * 8);
+  };
+
+  template <>
+  struct HasPlainBytes<DeepRecord> : std::true_type
+  {
+    static_assert(sizeof(DeepRecord) == 2 * 4 + 5 * 8);
   };
 
   namespace
@@ -71,6 +85,49 @@ namespace rift
   }
 
   void
+  ContactForce::note_depth(const CellPair   &cells,
+                           const PairForces &forces,
+                           const State      &state)
+  {
+    Vector3<double> place{};
+    for (const std::uint32_t member : {cells.a, cells.b})
+      {
+        for (const NodalVector &x : members.motions()[member].position)
+          place += 1. / (2 * n_corners) * x.vector();
+        if (forces.is_deep && members[member].local != invalid_index)
+          deep_cells.push_back(members[member].local);
+      }
+    const ContactCell &a = members[cells.a].cell;
+    if (forces.is_too_deep && a.owner == communicator.rank())
+      too_deep.try_emplace(name_of(cells),
+                           DeepOverlap{a.cell,
+                                       members[cells.b].cell.cell,
+                                       state.step,
+                                       state.time,
+                                       place});
+  }
+
+  std::optional<ContactForce::DeepOverlaps>
+  ContactForce::deep_overlaps() const
+  {
+    const auto comes_before = [](const DeepOverlap &x, const DeepOverlap &y) {
+      return std::make_tuple(x.step, x.a, x.b) <
+             std::make_tuple(y.step, y.a, y.b);
+    };
+    DeepOverlap first{};
+    first.step = std::numeric_limits<std::uint64_t>::max();
+    for (const auto &[name, overlap] : too_deep)
+      if (comes_before(overlap, first))
+        first = overlap;
+    const std::int64_t n_pairs =
+      communicator.sum(static_cast<std::int64_t>(too_deep.size()));
+    if (n_pairs == 0)
+      return {};
+    return DeepOverlaps{n_pairs,
+                        communicator.first_of_ranks(first, comes_before)};
+  }
+
+  void
   ContactForce::save(Archive &archive) const
   {
     std::vector<PairRecord> records;
@@ -94,6 +151,14 @@ namespace rift
       }
     archive.write_list("contact: pairs", records);
     surface.save(archive);
+    std::vector<DeepRecord> deep;
+    for (const auto &[name, overlap] : too_deep)
+      deep.push_back({overlap.a,
+                      overlap.b,
+                      overlap.step,
+                      overlap.time,
+                      {overlap.place[0], overlap.place[1], overlap.place[2]}});
+    archive.write_list("contact: pairs that have been too deep", deep);
     archive.write_sum("contact: friction", energies.friction);
     archive.write_sum("contact: damping", energies.damping);
   }
@@ -104,6 +169,12 @@ namespace rift
     energies.friction = archive.read_sum("contact: friction");
     energies.damping  = archive.read_sum("contact: damping");
     surface.load(state, archive);
+    for (const DeepRecord &r : archive.read_list<DeepRecord>(
+           "contact: pairs that have been too deep"))
+      if (const CellIndex a = topology.find_cell(r.a);
+          a != invalid_index && topology.owns_cell(a))
+        too_deep[PairName(r.a) << 32 | r.b] =
+          {r.a, r.b, r.step, r.time, {{r.place[0], r.place[1], r.place[2]}}};
     search(state, 0, surface.cells());
 
     std::unordered_map<PairName, ContactMemory> memories;

@@ -35,6 +35,7 @@ namespace rift
     : topology(topology)
     , first_free(first_free)
     , is_member(topology.n_cell_slots())
+    , is_surrounded(topology.n_cell_slots())
     , face_states(topology)
     , groups(topology, opening)
   {
@@ -84,6 +85,28 @@ namespace rift
   {
     for (const CellIndex cell : topology.faces[face].cells)
       include(cell, news);
+  }
+
+  std::vector<CellIndex>
+  ContactSurface::include_behind(const CellIndex cell)
+  {
+    std::vector<CellIndex> news;
+    if (is_surrounded[cell])
+      return news;
+    is_surrounded[cell] = 1;
+    // Where vertices are divided, all of their cells may touch others already.
+    for (unsigned int c = 0; c < n_corners; ++c)
+      {
+        const VertexIndex vertex = topology.vertex(cell, c);
+        std::for_each(topology.vertex_cells_first(vertex),
+                      topology.vertex_cells_last(vertex),
+                      [&](const CellIndex other) {
+                        if (!is_member[other])
+                          include(other, news);
+                      });
+      }
+    behind.insert(behind.end(), news.begin(), news.end());
+    return news;
   }
 
   std::vector<CellIndex>
@@ -150,6 +173,10 @@ namespace rift
           records.push_back({name.cell, name.local_face});
         }
     archive.write_list("contact: faces let go of since the last look", records);
+    std::vector<GlobalCellIndex> names;
+    for (const CellIndex cell : behind)
+      names.push_back(topology.cell_global_indices[cell]);
+    archive.write_list("contact: cells behind others", names);
   }
 
   void
@@ -174,6 +201,14 @@ namespace rift
       }
     for (const VertexIndex vertex : groups.divided_vertices())
       include_around(vertex, news);
+    for (const GlobalCellIndex name :
+         archive.read_list<GlobalCellIndex>("contact: cells behind others"))
+      if (const CellIndex cell = topology.find_cell(name);
+          cell != invalid_index && topology.owns_cell(cell) && !is_member[cell])
+        {
+          include(cell, news);
+          behind.push_back(cell);
+        }
   }
 
   Tetrahedron

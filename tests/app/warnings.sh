@@ -1,6 +1,6 @@
 # Runs that make no sense any more say so, in the log and in summary.json: a hole
 # is blown up without contact, with a pressure that goes on acting on what it has
-# torn off, and with one that ends there.
+# torn off, and with one that ends there; contact is too soft for an impact.
 #
 #   bash warnings.sh RIFT SCENES
 set -euo pipefail
@@ -43,6 +43,13 @@ warns everywhere 'pieces overlap, .*: [1-9][0-9]* pairs of cells have more than'
 "$rift" "$2/three_blocks.prm" --output apart --set "Contact/Contact=false" \
   --set "Time/End time=1e-6" > apart.txt
 warns apart 'the mesh has 3 separate bodies, and nothing keeps them apart'
+
+# With the advice that it gives, contact is stiff enough.
+"$rift" "$2/soft_impact.prm" --output soft > soft.txt
+warns soft 'contact is too soft for this impact or load: 1 pair of cells has'
+"$rift" "$2/soft_impact.prm" --output stiff \
+  --set "Contact/Stiffness factor=1" > stiff.txt
+! grep 'too soft' stiff/log.txt || fail "the advice does not help"
 
 # A block is torn, its pieces touch, and a pressure stays where it was: nothing of
 # this kind is wrong.

@@ -139,6 +139,11 @@ namespace rift
     void
     follow_fragments(bool is_end = false);
 
+    /** From time to time, and at the end: tells the user what modules warn of.
+     * Collective. */
+    void
+    warn_of_modules(bool is_end = false);
+
     /** Writes a checkpoint of the state between two steps. Collective. */
     void
     write_checkpoint();

@@ -70,6 +70,9 @@ namespace rift
     void
     add_forces(StepContext &step) override;
 
+    std::vector<Warning>
+    warnings_so_far() const override;
+
     void
     after_drift(StepContext &step) override
     {

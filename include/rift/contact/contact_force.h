@@ -12,6 +12,7 @@
 #include <rift/material/material_parameters.h>
 
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 namespace rift
@@ -23,12 +24,19 @@ namespace rift
     ExactSum elastic, friction, damping;
   };
 
-  /** Two cells that lie in each other so deep that contact no longer tells
-   * their outsides apart. */
+  /** Where and when two cells lay in each other too deep for the first time:
+   * PairForces::is_too_deep. */
   struct DeepOverlap
   {
     /** Global indices of the two cells. */
     GlobalCellIndex a, b;
+
+    /** Number of the step, and s. */
+    std::uint64_t step;
+    double        time;
+
+    /** The mean of their corners, m. */
+    Vector3<double> place;
   };
 
   /**
@@ -43,7 +51,8 @@ namespace rift
    * Partners are searched for of cells that have moved by their margin and,
    * every `look_interval` steps, of those that cracks have let go of. A pair
    * whose cells overlap already when a crack lets go of them starts without
-   * force and energy. Pairs that are apart sleep.
+   * force and energy. Pairs that are apart sleep. Cells behind those that others
+   * lie deep in take part from the next step on.
    */
   class ContactForce
   {
@@ -114,9 +123,8 @@ namespace rift
     follow(const State &state, double time_step);
 
     /** Adds the forces at the positions of the last follow().
-     * @param time_step that has led there, s; zero at the start.
-     * @return the first pair that lies in each other too deep, if any. */
-    std::optional<DeepOverlap>
+     * @param time_step that has led there, s; zero at the start. */
+    void
     add_to(State &state, Activity &activity, double time_step);
 
     /** Energies at the last add_to(). */
@@ -129,6 +137,20 @@ namespace rift
     /** Number of pairs of the whole body that touch. Collective. */
     std::uint64_t
     count_touching() const;
+
+    /** Pairs that have lain in each other too deep. */
+    struct DeepOverlaps
+    {
+      std::int64_t n_pairs;
+
+      /** Of several in one step that of the smallest cells. */
+      DeepOverlap first;
+    };
+
+    /** Pairs of the whole body that lie in each other too deep, or have done so;
+     * empty if none. Collective. */
+    std::optional<DeepOverlaps>
+    deep_overlaps() const;
 
     /**
      * @throws InputError on all ranks if cells overlap that did not grow from
@@ -236,6 +258,12 @@ namespace rift
     void
     release_parted();
 
+    /** Keeps in mind that a pair lies in each other deep. */
+    void
+    note_depth(const CellPair   &cells,
+               const PairForces &forces,
+               const State      &state);
+
     void
     add_forces(std::uint32_t      member,
                const NodalVector *forces,
@@ -271,6 +299,11 @@ namespace rift
      * overlap and have forces. */
     std::vector<ContactPair>  in_play;
     std::vector<std::uint8_t> overlaps, touches;
+
+    /** Cells of this rank and ghosts in which others lay deep at the last
+     * add_to(), and pairs of this rank that have lain in each other too deep. */
+    std::vector<CellIndex>                    deep_cells;
+    std::unordered_map<PairName, DeepOverlap> too_deep;
 
     PairKernel    kernel;
     ContactEnergy energies;

@@ -76,15 +76,19 @@ namespace rift
     /** Whether the overlap or the spring has energy. */
     bool touches;
 
-    /** Whether so deep that the potential will soon fall again: the mean of
-     * least coordinates over the overlap is above `largest_mean_potential`, or
-     * more than `largest_volume_fraction` of a cell is inside of the other. Not
-     * of pairs that were born with an overlap. */
+    /** Whether so deep that the cells behind will soon be reached: the mean of
+     * least coordinates over the overlap is above `deep_mean_potential`. */
+    bool is_deep;
+
+    /** Whether so deep that the force of the pair no longer grows: that mean is
+     * above `largest_mean_potential`, or more than `largest_volume_fraction` of
+     * a cell is inside of the other. Not of pairs that were born with an
+     * overlap. */
     bool is_too_deep;
   };
 
-  /** Of faces that lie flat upon each other, the depth over the height. The
-   * potential is largest at a quarter. */
+  /** Of faces that lie flat upon each other, the depth over the height. */
+  constexpr double deep_mean_potential    = .05;
   constexpr double largest_mean_potential = .15;
 
   /** Of a cell so deep inside of a larger one that it may be pushed along where

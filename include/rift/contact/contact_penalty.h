@@ -55,8 +55,8 @@ namespace rift
 
     /**
      * Of a cell all whose vertices are complete. One without a face that may be
-     * touched meets others by edges and corners only; it gets what it has as a
-     * loose cell all whose faces are touched.
+     * touched meets others by edges and corners or behind other cells: see
+     * per_area_inside().
      */
     ContactStiffness
     of_cell(CellIndex cell) const;
@@ -66,9 +66,10 @@ namespace rift
     double
     per_area_of_node(NodeIndex node) const;
 
-    /** Likewise, of a corner of a loose cell. */
+    /** Pa/m: likewise, if all faces may be touched that are cut or at the
+     * surface, and half of those that are intact, each from one side. */
     double
-    per_area_of_loose_corner(CellIndex cell, unsigned int corner) const;
+    per_area_inside(NodeIndex node) const;
 
     /** Whether nothing but contact acts between a face and what touches it. */
     bool
@@ -79,6 +80,10 @@ namespace rift
     bool
     is_bonded(CellIndex cell, unsigned int face) const;
 
+    /** Whether neither. */
+    bool
+    is_intact(CellIndex cell, unsigned int face) const;
+
     /** m */
     double
     height(CellIndex cell, unsigned int face) const;
@@ -86,9 +91,14 @@ namespace rift
     /**
      * What faces that are touched with 1 Pa/m add to the stiffness of one of
      * their nodes, m^2.
+     *
+     * @param share of them that is touched.
      */
     void
-    add_face(CellIndex cell, unsigned int face, Matrix3<double> &sum) const;
+    add_face(CellIndex        cell,
+             unsigned int     face,
+             Matrix3<double> &sum,
+             double           share = 1) const;
 
     const Topology          &topology;
     const ReferenceCellData &reference;

@@ -11,9 +11,10 @@ namespace rift
 {
   /**
    * The cells of this rank that may touch others: those with a face on the
-   * outer surface, those at vertices whose cells no longer hang together, and
-   * those beside faces that nothing else holds. It sees cracks by the states of
-   * faces, when it looks at them.
+   * outer surface, those at vertices whose cells no longer hang together,
+   * those beside faces that nothing else holds, and those behind others that lie
+   * deep in something. It sees cracks by the states of faces, when it looks at
+   * them.
    */
   class ContactSurface
   {
@@ -40,6 +41,14 @@ namespace rift
     std::vector<CellIndex>
     look(const State &state, double path);
 
+    /**
+     * Takes in the cells around the vertices of a cell in which others lie deep.
+     *
+     * @return own cells that could not touch others before.
+     */
+    std::vector<CellIndex>
+    include_behind(CellIndex cell);
+
     /** Cells that this rank owns, ascending. */
     std::vector<CellIndex>
     cells() const;
@@ -57,7 +66,7 @@ namespace rift
     std::vector<int>
     subscribers(CellIndex cell) const;
 
-    /** Writes what the last look() has seen. */
+    /** Writes what the last look() has seen, and the cells behind others. */
     void
     save(Archive &archive) const;
 
@@ -82,6 +91,11 @@ namespace rift
     const Topology           &topology;
     const FaceState           first_free;
     std::vector<std::uint8_t> is_member;
+
+    /** Cells around which all may touch others, and own cells that do so for no
+     * other reason. */
+    std::vector<std::uint8_t> is_surrounded;
+    std::vector<CellIndex>    behind;
 
     /** At the last look. */
     KnownFaceStates face_states;

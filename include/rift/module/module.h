@@ -208,6 +208,16 @@ namespace rift
       return {};
     }
 
+    /** About what has gone wrong so far, though not so that the run must end;
+     * asked for from time to time and at the end. Collective.
+     *
+     * @return the same on all ranks. */
+    virtual std::vector<Warning>
+    warnings_so_far() const
+    {
+      return {};
+    }
+
     /** Whether it prescribes a component of the velocity of a node. */
     virtual bool
     prescribes(NodeIndex, unsigned int /*component*/) const
