@@ -39,18 +39,6 @@ namespace rift
       return largest;
     }
 
-    /** No node here is faster, m/s: by the largest components of all. */
-    double
-    bound_of_speeds(const State &state)
-    {
-      Row largest{};
-      for (const NodalVector &v : state.velocity)
-        {
-          const Row squares = v.row() * v.row();
-          largest           = largest > squares ? largest : squares;
-        }
-      return std::sqrt(largest[0] + largest[1] + largest[2]);
-    }
   } // namespace
 
   ContactForce::ContactForce(const Topology     &topology,
@@ -75,14 +63,14 @@ namespace rift
   void
   ContactForce::follow(const State &state, const double time_step)
   {
-    const double move = time_step * bound_of_speeds(state);
-    path += move;
+    paths.advance(state, time_step);
     std::vector<CellIndex> news;
     if (!has_searched)
       news = surface.cells();
     if (!has_searched || state.step % look_interval == 0)
       {
-        const std::vector<CellIndex> let_go = surface.look(state, path);
+        const std::vector<CellIndex> let_go =
+          surface.look(state, paths.of_any());
         news.insert(news.end(), let_go.begin(), let_go.end());
       }
     for (const CellIndex cell : deep_cells)
@@ -91,15 +79,13 @@ namespace rift
         news.insert(news.end(), behind.begin(), behind.end());
       }
     deep_cells.clear();
-    if (!(path + move < next_survey))
+    if (!(paths.of_any() + paths.last_move() < next_survey))
       add_moved(state, time_step, news);
     update_stiffnesses();
     if (communicator.any(!has_searched || !news.empty()))
       search(state, time_step, std::move(news));
     exchange(state);
-    const double told =
-      time_step * std::sqrt(members.largest_told_speed_squared());
-    path += std::max(0., told - move);
+    paths.include(time_step * members.largest_told_speed());
     start_pairs(state);
   }
 
@@ -172,7 +158,7 @@ namespace rift
         else
           news.push_back(s.cell);
       }
-    next_survey = path + slack;
+    next_survey = paths.of_any() + slack;
   }
 
   void
@@ -211,7 +197,7 @@ namespace rift
     result.stiffness = interface.stiffnesses.of_cell(cell);
     result.margin =
       std::max(margin_per_size * longest_edge(result.positions), 2 * move);
-    next_survey = std::min(next_survey, path + result.margin - move);
+    next_survey = std::min(next_survey, paths.of_any() + result.margin - move);
 
     std::uint32_t &place = surveyed_at[cell];
     if (place == invalid_index)
@@ -318,11 +304,11 @@ namespace rift
   void
   ContactForce::start_pairs(const State &state)
   {
-    std::vector<SleepingPairs::Woken> pairs;
+    std::vector<SleepingPairs::Pair> pairs;
     for (const CellPair &pair : born)
       {
         members.pack(state, pair);
-        pairs.push_back({pair, no_axis});
+        pairs.push_back({pair, no_axis, 0});
       }
     born.clear();
     const std::vector<CellPair>   near  = put_to_sleep(pairs);
@@ -337,11 +323,11 @@ namespace rift
   }
 
   std::vector<CellPair>
-  ContactForce::put_to_sleep(const std::vector<SleepingPairs::Woken> &pairs)
+  ContactForce::put_to_sleep(const std::vector<SleepingPairs::Pair> &pairs)
   {
     std::vector<CellPair>     cells;
     std::vector<std::uint8_t> axes;
-    for (const SleepingPairs::Woken &pair : pairs)
+    for (const SleepingPairs::Pair &pair : pairs)
       {
         cells.push_back(pair.cells);
         axes.push_back(pair.axis);
@@ -365,17 +351,38 @@ namespace rift
         else if (gaps[i] > far)
           members.disconnect(cells[i]);
         else
-          sleeping.add(cells[i], axes[i], path + gaps[i] / 2);
+          sleeping.add({cells[i], axes[i], reach(cells[i]) + gaps[i]},
+                       paths.of_any() + gaps[i] / 2);
       }
     return near;
+  }
+
+  double
+  ContactForce::reach(const CellPair &cells) const
+  {
+    double sum = 0;
+    for (const std::uint32_t member : {cells.a, cells.b})
+      if (const CellIndex cell = members.own_cell(member);
+          cell == invalid_index)
+        sum += paths.of_any();
+      else
+        for (unsigned int c = 0; c < n_corners; ++c)
+          sum += paths.of(topology.node(cell, c));
+    return sum;
   }
 
   void
   ContactForce::wake_pairs(const State &state)
   {
-    const std::vector<SleepingPairs::Woken> woken = sleeping.wake(path);
-    for (const SleepingPairs::Woken &pair : woken)
-      members.pack(state, pair.cells);
+    std::vector<SleepingPairs::Pair> woken;
+    for (const SleepingPairs::Pair &pair : sleeping.wake(paths.of_any()))
+      if (const double left = pair.limit - reach(pair.cells); left > 0)
+        sleeping.add(pair, paths.of_any() + left / 2);
+      else
+        {
+          members.pack(state, pair.cells);
+          woken.push_back(pair);
+        }
     std::vector<ContactPair> new_pairs;
     for (const CellPair &pair : put_to_sleep(woken))
       new_pairs.push_back(make_pair(pair));
@@ -385,10 +392,10 @@ namespace rift
   void
   ContactForce::release_parted()
   {
-    std::vector<SleepingPairs::Woken> parted;
+    std::vector<SleepingPairs::Pair> parted;
     for (std::size_t i = 0; i < in_play.size(); ++i)
       if (!overlaps[i])
-        parted.push_back({in_play[i].cells, no_axis});
+        parted.push_back({in_play[i].cells, no_axis, 0});
     if (parted.empty())
       return;
     const std::vector<CellPair> near = put_to_sleep(parted);
@@ -414,6 +421,7 @@ namespace rift
   void
   ContactForce::add_to(State &state, Activity &activity, const double time_step)
   {
+    paths.grow(state.n_nodes());
     wake_pairs(state);
     for (const ContactPair &pair : in_play)
       members.pack(state, pair.cells);

@@ -4,6 +4,7 @@
 #include <rift/contact/contact_surface.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -35,6 +36,9 @@ namespace rift
     if (is_new)
       {
         members.push_back({cell, topology.find_cell(cell.cell), {}, 0});
+        own_cells.push_back(cell.owner == communicator.rank() ?
+                              members.back().local :
+                              invalid_index);
         packed.emplace_back();
         packed_after.push_back(0);
       }
@@ -91,6 +95,7 @@ namespace rift
         {
           new_positions[i] = n;
           position_by_name.emplace(members[i].cell.cell, n);
+          own_cells[n]    = own_cells[i];
           packed[n]       = packed[i];
           packed_after[n] = packed_after[i];
           if (n != i)
@@ -98,6 +103,7 @@ namespace rift
           ++n;
         }
     members.resize(n);
+    own_cells.resize(n);
     packed.resize(n);
     packed_after.resize(n);
     for (Member &member : members)
@@ -192,14 +198,14 @@ namespace rift
   }
 
   double
-  ContactMembers::largest_told_speed_squared() const
+  ContactMembers::largest_told_speed() const
   {
     double largest = 0;
     for (const Partner &sender : senders)
       for (const std::uint32_t cell : sender.cells)
         for (const NodalVector &v : packed[cell].velocity)
           largest = std::max(largest, dot(v.vector(), v.vector()));
-    return largest;
+    return std::sqrt(largest);
   }
 
   void
@@ -207,9 +213,9 @@ namespace rift
   {
     if (packed_after[position] == n_exchanges)
       return;
-    rift_check(members[position].cell.owner == communicator.rank());
+    rift_check(own_cells[position] != invalid_index);
     packed_after[position] = n_exchanges;
-    const CellIndex cell   = members[position].local;
+    const CellIndex cell   = own_cells[position];
     PackedMotion   &motion = packed[position];
     for (unsigned int c = 0; c < n_corners; ++c)
       {

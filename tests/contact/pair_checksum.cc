@@ -58,8 +58,7 @@ main()
     {
       const auto n = static_cast<unsigned int>(
         std::min<std::size_t>(PairKernel::chunk_size, pairs.size() - first));
-      kernel->compute(
-        list.cells.data(), &pairs[first], n, 1e-6, forces.data());
+      kernel->compute(list.cells.data(), &pairs[first], n, 1e-6, forces.data());
       for (unsigned int i = 0; i < n; ++i)
         {
           for (unsigned int c = 0; c < 4; ++c)

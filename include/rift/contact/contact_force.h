@@ -6,6 +6,7 @@
 #include <rift/contact/contact_members.h>
 #include <rift/contact/contact_pair.h>
 #include <rift/contact/contact_surface.h>
+#include <rift/contact/node_paths.h>
 #include <rift/contact/rendezvous.h>
 #include <rift/contact/sleeping_pairs.h>
 #include <rift/discretization/activity.h>
@@ -245,6 +246,11 @@ namespace rift
     void
     merge(std::vector<ContactPair> pairs);
 
+    /** By no more than this has the gap of a pair closed since a time when it
+     * was zero, m: the sum of the paths of all corners. */
+    double
+    reach(const CellPair &cells) const;
+
     /** Pairs that have woken sleep again or come into play. */
     void
     wake_pairs(const State &state);
@@ -252,7 +258,7 @@ namespace rift
     /** Puts pairs to sleep or, if they are far apart, forgets them.
      * @return those that nothing parts. */
     std::vector<CellPair>
-    put_to_sleep(const std::vector<SleepingPairs::Woken> &pairs);
+    put_to_sleep(const std::vector<SleepingPairs::Pair> &pairs);
 
     /** Pairs in play that do not overlap sleep again. */
     void
@@ -287,9 +293,10 @@ namespace rift
     std::vector<std::uint32_t> surveyed_at;
     bool                       has_searched = false;
 
-    /** The sum of how far anything may have moved in each step, m, and its
-     * value when own cells may have left their margins. */
-    double path = 0, next_survey = 0;
+    NodePaths paths;
+
+    /** Of any node, when own cells may have left their margins, m. */
+    double next_survey = 0;
 
     ContactMembers        members;
     SleepingPairs         sleeping;

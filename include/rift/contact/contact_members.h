@@ -53,6 +53,13 @@ namespace rift
       return members[position];
     }
 
+    /** The cell that a member is, if it is of this rank; else invalid_index. */
+    CellIndex
+    own_cell(const std::uint32_t position) const
+    {
+      return own_cells[position];
+    }
+
     /** Number of members. */
     std::size_t
     size() const
@@ -99,10 +106,9 @@ namespace rift
     bool
     have_stiffnesses_changed();
 
-    /** The square of the largest speed of cells that others have told of,
-     * m^2/s^2. */
+    /** The largest speed of cells that others have told of last, m/s. */
     double
-    largest_told_speed_squared() const;
+    largest_told_speed() const;
 
     /** Takes in how the cells of a pair move now, once per step. */
     void
@@ -136,6 +142,7 @@ namespace rift
 
     std::vector<Member>                                members;
     std::unordered_map<GlobalCellIndex, std::uint32_t> position_by_name;
+    std::vector<CellIndex>                             own_cells;
     std::vector<PackedMotion>                          packed;
 
     /** Number of exchanges, and the last one after which a member was packed. */

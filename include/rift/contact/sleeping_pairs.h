@@ -9,30 +9,31 @@ namespace rift
 {
   /**
    * Pairs of cells that are apart. A pair sleeps until the cells may have met:
-   * until the path, the sum over the steps of how far anything may have moved,
-   * has grown by half of the gap between them. So most pairs are not looked at
-   * in most steps, and nothing depends on when they are.
+   * until a path, such as that of the fastest node, has grown by half of the gap
+   * between them. So most pairs are not looked at in most steps, and nothing
+   * depends on when they are.
    */
   class SleepingPairs
   {
   public:
-    /** Adds a pair.
-     *
-     * @param axis that parts the cells; see find_gaps().
-     * @param wake the path, m, at which they may have met. */
-    void
-    add(const CellPair &cells, std::uint8_t axis, double wake);
-
-    /** A pair that has woken. */
-    struct Woken
+    /** A pair that is apart. */
+    struct Pair
     {
-      /** The cells, and the axis that parted them. */
+      /** The cells, and the axis that parts them; see find_gaps(). */
       CellPair     cells;
       std::uint8_t axis;
+
+      /** For the caller, who knows when the two may have met in truth. */
+      double limit;
     };
 
-    /** Removes the pairs whose cells may have met, and returns them. */
-    std::vector<Woken>
+    /** Adds a pair.
+     * @param wake the path, m, at which it is to wake. */
+    void
+    add(const Pair &pair, double wake);
+
+    /** Removes the pairs that wake at a path, and returns them. */
+    std::vector<Pair>
     wake(double path);
 
     /** Number of pairs. */
@@ -42,18 +43,13 @@ namespace rift
       return pairs.size();
     }
 
-    /** Removes all pairs. */
-    void
-    clear();
-
     /** Replaces the positions of cells. */
     void
     renumber(const std::vector<std::uint32_t> &new_positions);
 
   private:
-    std::vector<CellPair>     pairs;
-    std::vector<std::uint8_t> axes;
-    std::vector<double>       wakes;
+    std::vector<Pair>   pairs;
+    std::vector<double> wakes;
   };
 } // namespace rift
 
