@@ -317,6 +317,14 @@ TEST(ContactStability, LeavesTheRoomThatThereIs)
     }
 }
 
+/** Pieces that lie in each other so deep that cells behind their surfaces are
+ * reached use no more. */
+TEST(ContactStability, LeavesRoomForDeepOverlaps)
+{
+  for (const double strain : {.1, .3, .5})
+    EXPECT_LT(used_room(broken_box({{3, 3, 3}}, 2, strain, 300, 1)), .5);
+}
+
 /** Nearly alone, contact uses what it may, but for the margin of its bounds. */
 TEST(ContactStability, UsesTheRoomThatThereIs)
 {

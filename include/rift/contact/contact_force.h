@@ -142,9 +142,10 @@ namespace rift
     /** Pairs that have lain in each other too deep. */
     struct DeepOverlaps
     {
+      /** Number of them. */
       std::int64_t n_pairs;
 
-      /** Of several in one step that of the smallest cells. */
+      /** The first one; of several in one step that of the smallest cells. */
       DeepOverlap first;
     };
 
