@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace rift
 {
@@ -145,44 +146,72 @@ namespace rift
     for (int rank = 0; rank < n_ranks; ++rank)
       if (received[rank] >= 0)
         sizes[rank] = received[rank];
-    return exchange(messages, sizes);
+    return start_exchange(messages, sizes).finish();
+  }
+
+  PendingExchange &
+  PendingExchange::operator=(PendingExchange &&other) noexcept
+  {
+    finish();
+    sent     = std::move(other.sent);
+    received = std::move(other.received);
+    requests = std::move(other.requests);
+    return *this;
+  }
+
+  PendingExchange::~PendingExchange()
+  {
+    finish();
   }
 
   std::map<int, std::string>
-  Communicator::exchange(const std::map<int, std::string> &messages,
-                         const std::map<int, std::size_t> &sizes) const
+  PendingExchange::finish()
   {
+    if (!requests.empty())
+      MPI_Waitall(static_cast<int>(requests.size()),
+                  requests.data(),
+                  MPI_STATUSES_IGNORE);
+    requests.clear();
+    sent.clear();
+    return std::exchange(received, {});
+  }
+
+  PendingExchange
+  Communicator::start_exchange(std::map<int, std::string>        messages,
+                               const std::map<int, std::size_t> &sizes) const
+  {
+    PendingExchange result;
     if (n_ranks == 1)
-      return messages;
-    std::map<int, std::string> result;
-    std::vector<MPI_Request>   requests;
+      {
+        result.received = std::move(messages);
+        return result;
+      }
+    // What is in a map stays in its place when this is moved.
+    result.sent = std::move(messages);
     for (const auto &[rank, size] : sizes)
       {
-        std::string &bytes = result[rank];
+        std::string &bytes = result.received[rank];
         bytes.resize(size);
-        requests.emplace_back();
+        result.requests.emplace_back();
         MPI_Irecv(bytes.data(),
                   mpi_count(size),
                   MPI_BYTE,
                   rank,
                   exchange_tag,
                   communicator,
-                  &requests.back());
+                  &result.requests.back());
       }
-    for (const auto &[rank, bytes] : messages)
+    for (const auto &[rank, bytes] : result.sent)
       {
-        requests.emplace_back();
+        result.requests.emplace_back();
         MPI_Isend(bytes.data(),
                   mpi_count(bytes.size()),
                   MPI_BYTE,
                   rank,
                   exchange_tag,
                   communicator,
-                  &requests.back());
+                  &result.requests.back());
       }
-    MPI_Waitall(static_cast<int>(requests.size()),
-                requests.data(),
-                MPI_STATUSES_IGNORE);
     return result;
   }
 

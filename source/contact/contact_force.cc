@@ -2,7 +2,6 @@
 #include <rift/base/exceptions.h>
 #include <rift/base/parameter_text.h>
 #include <rift/contact/contact_force.h>
-#include <rift/contact/separation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -84,9 +83,16 @@ namespace rift
     update_stiffnesses();
     if (communicator.any(!has_searched || !news.empty()))
       search(state, time_step, std::move(news));
-    exchange(state);
-    paths.include(time_step * members.largest_told_speed());
-    start_pairs(state);
+    send(state);
+  }
+
+  void
+  ContactForce::send(const State &state)
+  {
+    members.send(state, [this](const CellIndex cell) {
+      return surveyed[surveyed_at[cell]].stiffness;
+    });
+    has_received = false;
   }
 
   void
@@ -122,14 +128,17 @@ namespace rift
   }
 
   void
-  ContactForce::exchange(const State &state)
+  ContactForce::receive(const State &state, const double time_step)
   {
-    members.exchange(state, [this](const CellIndex cell) {
-      return surveyed[surveyed_at[cell]].stiffness;
-    });
+    if (has_received)
+      return;
+    has_received = true;
+    members.receive();
+    paths.include(time_step * members.largest_told_speed());
     if (members.have_stiffnesses_changed())
       for (ContactPair &pair : in_play)
         pair.constants.penalty = penalty_of(pair.cells);
+    start_pairs(state);
   }
 
   double
@@ -263,19 +272,6 @@ namespace rift
     return position;
   }
 
-  ContactPair
-  ContactForce::make_pair(const CellPair &cells) const
-  {
-    const ContactCell &a = members[cells.a].cell, &b = members[cells.b].cell;
-    ContactPair        pair{};
-    pair.cells     = cells;
-    pair.constants = {penalty_of(cells),
-                      interface.friction[a.material][b.material],
-                      interface.damping,
-                      1 / (1 / a.constants.mass + 1 / b.constants.mass)};
-    return pair;
-  }
-
   ContactForce::PairName
   ContactForce::name_of(const CellPair &cells) const
   {
@@ -284,144 +280,10 @@ namespace rift
   }
 
   void
-  ContactForce::merge(std::vector<ContactPair> pairs)
-  {
-    if (pairs.empty())
-      return;
-    const auto comes_before = [this](const ContactPair &x,
-                                     const ContactPair &y) {
-      return name_of(x.cells) < name_of(y.cells);
-    };
-    std::sort(pairs.begin(), pairs.end(), comes_before);
-    const auto n_before = static_cast<std::ptrdiff_t>(in_play.size());
-    in_play.insert(in_play.end(), pairs.begin(), pairs.end());
-    std::inplace_merge(in_play.begin(),
-                       in_play.begin() + n_before,
-                       in_play.end(),
-                       comes_before);
-  }
-
-  void
-  ContactForce::start_pairs(const State &state)
-  {
-    std::vector<SleepingPairs::Pair> pairs;
-    for (const CellPair &pair : born)
-      {
-        members.pack(state, pair);
-        pairs.push_back({pair, no_axis, 0});
-      }
-    born.clear();
-    const std::vector<CellPair>   near  = put_to_sleep(pairs);
-    const std::vector<CommonPart> parts = common_parts(members.motions(), near);
-    std::vector<ContactPair>      new_pairs;
-    for (std::size_t i = 0; i < near.size(); ++i)
-      {
-        new_pairs.push_back(make_pair(near[i]));
-        new_pairs.back().memory.initial_potential = parts[i].potential;
-      }
-    merge(std::move(new_pairs));
-  }
-
-  std::vector<CellPair>
-  ContactForce::put_to_sleep(const std::vector<SleepingPairs::Pair> &pairs)
-  {
-    std::vector<CellPair>     cells;
-    std::vector<std::uint8_t> axes;
-    for (const SleepingPairs::Pair &pair : pairs)
-      {
-        cells.push_back(pair.cells);
-        axes.push_back(pair.axis);
-      }
-    std::vector<double> gaps(cells.size());
-    find_gaps(members.motions(),
-              cells.data(),
-              cells.size(),
-              axes.data(),
-              gaps.data());
-
-    std::vector<CellPair> near;
-    for (std::size_t i = 0; i < cells.size(); ++i)
-      {
-        // Farther than where they have been searched for, and where they may
-        // have gone since: they will be found again.
-        const double far = 2 * (members[cells[i].a].cell.margin +
-                                members[cells[i].b].cell.margin);
-        if (!(gaps[i] > 0))
-          near.push_back(cells[i]);
-        else if (gaps[i] > far)
-          members.disconnect(cells[i]);
-        else
-          sleeping.add({cells[i], axes[i], reach(cells[i]) + gaps[i]},
-                       paths.of_any() + gaps[i] / 2);
-      }
-    return near;
-  }
-
-  double
-  ContactForce::reach(const CellPair &cells) const
-  {
-    double sum = 0;
-    for (const std::uint32_t member : {cells.a, cells.b})
-      if (const CellIndex cell = members.own_cell(member);
-          cell == invalid_index)
-        sum += paths.of_any();
-      else
-        for (unsigned int c = 0; c < n_corners; ++c)
-          sum += paths.of(topology.node(cell, c));
-    return sum;
-  }
-
-  void
-  ContactForce::wake_pairs(const State &state)
-  {
-    std::vector<SleepingPairs::Pair> woken;
-    for (const SleepingPairs::Pair &pair : sleeping.wake(paths.of_any()))
-      if (const double left = pair.limit - reach(pair.cells); left > 0)
-        sleeping.add(pair, paths.of_any() + left / 2);
-      else
-        {
-          members.pack(state, pair.cells);
-          woken.push_back(pair);
-        }
-    std::vector<ContactPair> new_pairs;
-    for (const CellPair &pair : put_to_sleep(woken))
-      new_pairs.push_back(make_pair(pair));
-    merge(std::move(new_pairs));
-  }
-
-  void
-  ContactForce::release_parted()
-  {
-    std::vector<SleepingPairs::Pair> parted;
-    for (std::size_t i = 0; i < in_play.size(); ++i)
-      if (!overlaps[i])
-        parted.push_back({in_play[i].cells, no_axis, 0});
-    if (parted.empty())
-      return;
-    const std::vector<CellPair> near = put_to_sleep(parted);
-    auto                        next = near.begin();
-    std::size_t                 n    = 0;
-    for (std::size_t i = 0; i < in_play.size(); ++i)
-      {
-        const CellPair &cells = in_play[i].cells;
-        if (!overlaps[i])
-          {
-            if (next == near.end() || next->a != cells.a || next->b != cells.b)
-              continue;
-            ++next;
-          }
-        in_play[n] = in_play[i];
-        touches[n] = touches[i];
-        ++n;
-      }
-    in_play.resize(n);
-    touches.resize(n);
-  }
-
-  void
   ContactForce::add_to(State &state, Activity &activity, const double time_step)
   {
     paths.grow(state.n_nodes());
+    receive(state, time_step);
     wake_pairs(state);
     for (const ContactPair &pair : in_play)
       members.pack(state, pair.cells);

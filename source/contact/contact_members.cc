@@ -167,32 +167,38 @@ namespace rift
   }
 
   void
-  ContactMembers::exchange(const State &state, const StiffnessOf &stiffness)
+  ContactMembers::send(const State &state, const StiffnessOf &stiffness)
   {
-    ++n_exchanges;
     std::map<int, std::string> messages;
     for (const Partner &receiver : receivers)
       {
-        std::vector<CellReport> reports;
+        std::vector<CellReport> of_cells;
         for (const CellIndex cell : receiver.cells)
-          reports.push_back(
+          of_cells.push_back(
             {motion_of(topology, state, cell), stiffness(cell)});
-        messages[receiver.rank] = to_bytes(reports);
+        messages[receiver.rank] = to_bytes(of_cells);
       }
     std::map<int, std::size_t> sizes;
     for (const Partner &sender : senders)
       sizes[sender.rank] = sender.cells.size() * sizeof(CellReport);
-    const auto received = communicator.exchange(messages, sizes);
+    reports = communicator.start_exchange(std::move(messages), sizes);
+  }
+
+  void
+  ContactMembers::receive()
+  {
+    ++n_exchanges;
+    const auto received = reports.finish();
     for (const Partner &sender : senders)
       {
-        const auto reports = from_bytes<CellReport>(received.at(sender.rank));
-        rift_check(reports.size() == sender.cells.size());
-        for (std::size_t i = 0; i < reports.size(); ++i)
+        const auto of_cells = from_bytes<CellReport>(received.at(sender.rank));
+        rift_check(of_cells.size() == sender.cells.size());
+        for (std::size_t i = 0; i < of_cells.size(); ++i)
           {
             const std::uint32_t position = sender.cells[i];
-            packed[position]             = rift::pack(reports[i].motion);
+            packed[position]             = rift::pack(of_cells[i].motion);
             packed_after[position]       = n_exchanges;
-            set_stiffness(position, reports[i].stiffness);
+            set_stiffness(position, of_cells[i].stiffness);
           }
       }
   }

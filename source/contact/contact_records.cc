@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <tuple>
 
 // Looking at contact from outside: overlaps at the start, checkpoints.
@@ -62,8 +63,10 @@ namespace rift
 
   void
   ContactForce::refuse_overlaps(
-    const std::vector<MaterialParameters> &materials) const
+    const State                           &state,
+    const std::vector<MaterialParameters> &materials)
   {
+    receive(state, 0);
     communicator.collectively([&] {
       std::vector<CellPair> pairs;
       for (const ContactPair &pair : in_play)
@@ -150,6 +153,12 @@ namespace rift
         records.push_back(record);
       }
     archive.write_list("contact: pairs", records);
+    std::vector<GlobalCellIndex> names;
+    for (const CellPair &pair : born)
+      if (members[pair.a].cell.owner == communicator.rank())
+        for (const std::uint32_t member : {pair.a, pair.b})
+          names.push_back(members[member].cell.cell);
+    archive.write_list("contact: new pairs", names);
     surface.save(archive);
     std::vector<DeepRecord> deep;
     for (const auto &[name, overlap] : too_deep)
@@ -188,6 +197,10 @@ namespace rift
         record.damping_force,
         record.penalty,
         record.energy};
+    std::set<PairName> are_new;
+    const auto names = archive.read_list<GlobalCellIndex>("contact: new pairs");
+    for (std::size_t i = 0; i < names.size(); i += 2)
+      are_new.insert(PairName(names[i]) << 32 | names[i + 1]);
     // Some have parted since their forces were computed last, others have met.
     std::vector<ContactPair> restored;
     std::vector<CellPair>    others;
@@ -202,10 +215,11 @@ namespace rift
         others.push_back(cells);
     born = std::move(others);
     merge(std::move(restored));
-    exchange(state);
-    start_pairs(state);
+    send(state);
+    receive(state, 0);
     for (ContactPair &pair : in_play)
-      if (memories.count(name_of(pair.cells)) == 0)
+      if (const PairName name = name_of(pair.cells);
+          memories.count(name) == 0 && are_new.count(name) == 0)
         pair.memory = {};
   }
 } // namespace rift

@@ -19,6 +19,31 @@ namespace rift
   int
   mpi_count(std::size_t n_bytes);
 
+  /** Messages that are under way. */
+  class PendingExchange
+  {
+  public:
+    PendingExchange() = default;
+
+    /** Can be moved, but not copied. */
+    PendingExchange(PendingExchange &&) noexcept = default;
+    PendingExchange &
+    operator=(PendingExchange &&other) noexcept;
+
+    /** Waits. */
+    ~PendingExchange();
+
+    /** Waits for what each rank has sent. To be called once. */
+    std::map<int, std::string>
+    finish();
+
+  private:
+    friend class Communicator;
+
+    std::map<int, std::string> sent, received;
+    std::vector<MPI_Request>   requests;
+  };
+
   /**
    * The ranks that compute a scene together. What is called *collective* must
    * be called on all of them in the same order. `Communicator()` never calls
@@ -89,12 +114,12 @@ namespace rift
     exchange(const std::map<int, std::string> &messages) const;
 
     /**
-     * The same where each rank knows how many bytes come from which ranks: the
-     * others need not call.
+     * Begins an exchange in which each rank knows how many bytes come from
+     * which ranks: the others need not call. Does not wait.
      */
-    std::map<int, std::string>
-    exchange(const std::map<int, std::string> &messages,
-             const std::map<int, std::size_t> &sizes) const;
+    PendingExchange
+    start_exchange(std::map<int, std::string>        messages,
+                   const std::map<int, std::size_t> &sizes) const;
 
     /** The same for plain data of type T. Collective. */
     template <typename T>

@@ -58,7 +58,7 @@ namespace rift
     begin(StepContext &step) override
     {
       force->follow(step.body.state, step.time_step);
-      force->refuse_overlaps(materials);
+      force->refuse_overlaps(step.body.state, materials);
     }
 
     void

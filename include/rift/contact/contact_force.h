@@ -159,7 +159,8 @@ namespace rift
      *   a crack: to be called at the start, after follow(). Collective.
      */
     void
-    refuse_overlaps(const std::vector<MaterialParameters> &materials) const;
+    refuse_overlaps(const State                           &state,
+                    const std::vector<MaterialParameters> &materials);
 
     /** Adds 1 to the first cell of each pair near each other that this rank
      * owns. */
@@ -197,10 +198,15 @@ namespace rift
     void
     update_stiffnesses();
 
-    /** Tells others of own cells, is told of theirs, and gives the pairs in
-     * play the penalties of now. */
+    /** Tells others of own cells; does not wait. */
     void
-    exchange(const State &state);
+    send(const State &state);
+
+    /** Waits for what others tell of their cells, gives the pairs in play the
+     * penalties of now, and birth to new pairs. Nothing but the first time after
+     * follow(). */
+    void
+    receive(const State &state, double time_step);
 
     double
     penalty_of(const CellPair &cells) const;
@@ -292,7 +298,7 @@ namespace rift
     /** Own cells, and where each cell slot is among them. */
     std::vector<Surveyed>      surveyed;
     std::vector<std::uint32_t> surveyed_at;
-    bool                       has_searched = false;
+    bool                       has_searched = false, has_received = true;
 
     NodePaths paths;
 

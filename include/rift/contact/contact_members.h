@@ -96,11 +96,15 @@ namespace rift
     void
     set_stiffness_of(GlobalCellIndex cell, const ContactStiffness &stiffness);
 
-    /** Tells others how own cells move and how stiff they are, and is told.
+    /** Tells others how own cells move and how stiff they are; does not wait.
      *
      * @param stiffness of an own cell. */
     void
-    exchange(const State &state, const StiffnessOf &stiffness);
+    send(const State &state, const StiffnessOf &stiffness);
+
+    /** Waits for what the others have told. To be called once after send(). */
+    void
+    receive();
 
     /** Whether a stiffness has changed since the last call. */
     bool
@@ -119,7 +123,7 @@ namespace rift
     }
 
     /** By position; up to date for cells that have been packed since the last
-     * exchange(). */
+     * receive(). */
     const PackedMotion *
     motions() const
     {
@@ -150,7 +154,8 @@ namespace rift
     std::vector<std::uint64_t> packed_after;
 
     std::vector<Partner> receivers, senders;
-    bool                 stiffnesses_have_changed = false;
+    PendingExchange reports;
+    bool            stiffnesses_have_changed = false;
   };
 } // namespace rift
 
