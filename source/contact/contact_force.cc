@@ -282,6 +282,7 @@ namespace rift
   void
   ContactForce::add_to(State &state, Activity &activity, const double time_step)
   {
+    ++n_steps;
     paths.grow(state.n_nodes());
     receive(state, time_step);
     wake_pairs(state);

@@ -95,31 +95,38 @@ namespace rift
   }
 
   double
-  ContactForce::reach(const CellPair &cells) const
+  ContactForce::reach(const CellPair &cells)
   {
+    // Cells are in several pairs.
+    reaches.resize(members.size(), Reach{no_step, 0});
     double sum = 0;
     for (const std::uint32_t member : {cells.a, cells.b})
-      if (const CellIndex cell = members.own_cell(member);
-          cell == invalid_index)
-        sum += paths.of_any();
-      else
-        for (unsigned int c = 0; c < n_corners; ++c)
-          sum += paths.of(topology.node(cell, c));
+      {
+        Reach &r = reaches[member];
+        if (r.step != n_steps)
+          {
+            r = {n_steps, 0};
+            if (const CellIndex cell = members.own_cell(member);
+                cell == invalid_index)
+              r.value = paths.of_any();
+            else
+              for (unsigned int c = 0; c < n_corners; ++c)
+                r.value += paths.of(topology.node(cell, c));
+          }
+        sum += r.value;
+      }
     return sum;
   }
 
   void
   ContactForce::wake_pairs(const State &state)
   {
-    std::vector<SleepingPairs::Pair> woken;
-    for (const SleepingPairs::Pair &pair : sleeping.wake(paths.of_any()))
-      if (const double left = pair.limit - reach(pair.cells); left > 0)
-        sleeping.add(pair, paths.of_any() + left / 2);
-      else
-        {
-          members.pack(state, pair.cells);
-          woken.push_back(pair);
-        }
+    const std::vector<SleepingPairs::Pair> woken =
+      sleeping.wake(paths.of_any(), [this](const SleepingPairs::Pair &pair) {
+        return paths.of_any() + (pair.limit - reach(pair.cells)) / 2;
+      });
+    for (const SleepingPairs::Pair &pair : woken)
+      members.pack(state, pair.cells);
     std::vector<ContactPair> new_pairs;
     for (const CellPair &pair : put_to_sleep(woken))
       new_pairs.push_back(make_pair(pair));

@@ -26,7 +26,14 @@ TEST(SleepingPairs, WakeWhenThePathHasGrownSoFar)
           pairs.add({{n, n + 1}, static_cast<std::uint8_t>(n % 251), 3. * n},
                     wakes[n]);
         }
-      for (const auto &pair : pairs.wake(path))
+      // Every third is told to wake later.
+      const auto later = [&](const SleepingPairs::Pair &pair) {
+        double &wake = wakes.at(pair.cells.a);
+        if (pair.cells.a % 3 == 0 && wake <= path)
+          wake = path + .05 * (pair.cells.a % 5);
+        return wake;
+      };
+      for (const auto &pair : pairs.wake(path, later))
         {
           ASSERT_EQ(wakes.count(pair.cells.a), 1u);
           EXPECT_EQ(pair.cells.b, pair.cells.a + 1);
@@ -47,7 +54,8 @@ TEST(SleepingPairs, FollowTheirCells)
   SleepingPairs pairs;
   pairs.add({{1, 3}, 7, 0}, 1);
   pairs.renumber({9, 0, 9, 2});
-  const auto woken = pairs.wake(2);
+  const auto woken =
+    pairs.wake(2, [](const SleepingPairs::Pair &) { return 1.; });
   ASSERT_EQ(woken.size(), 1u);
   EXPECT_EQ(woken[0].cells.a, 0u);
   EXPECT_EQ(woken[0].cells.b, 2u);

@@ -256,7 +256,7 @@ namespace rift
     /** By no more than this has the gap of a pair closed since a time when it
      * was zero, m: the sum of the paths of all corners. */
     double
-    reach(const CellPair &cells) const;
+    reach(const CellPair &cells);
 
     /** Pairs that have woken sleep again or come into play. */
     void
@@ -304,6 +304,19 @@ namespace rift
 
     /** Of any node, when own cells may have left their margins, m. */
     double next_survey = 0;
+
+    /** Sums of the paths of the corners of a member, m, in a step. */
+    struct Reach
+    {
+      std::uint64_t step;
+      double        value;
+    };
+
+    static constexpr std::uint64_t no_step = ~std::uint64_t(0);
+
+    /** Of the members; and how often forces have been computed. */
+    std::vector<Reach> reaches;
+    std::uint64_t      n_steps = 0;
 
     ContactMembers        members;
     SleepingPairs         sleeping;

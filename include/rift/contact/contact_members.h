@@ -154,8 +154,8 @@ namespace rift
     std::vector<std::uint64_t> packed_after;
 
     std::vector<Partner> receivers, senders;
-    PendingExchange reports;
-    bool            stiffnesses_have_changed = false;
+    PendingExchange      reports;
+    bool                 stiffnesses_have_changed = false;
   };
 } // namespace rift
 
