@@ -38,6 +38,19 @@ namespace rift
       return largest;
     }
 
+
+    /** No node here is faster, m/s: by the largest components of all. */
+    double
+    bound_of_speeds(const State &state)
+    {
+      Row largest{};
+      for (const NodalVector &v : state.velocity)
+        {
+          const Row squares = v.row() * v.row();
+          largest           = largest > squares ? largest : squares;
+        }
+      return std::sqrt(largest[0] + largest[1] + largest[2]);
+    }
   } // namespace
 
   ContactForce::ContactForce(const Topology     &topology,
@@ -62,14 +75,14 @@ namespace rift
   void
   ContactForce::follow(const State &state, const double time_step)
   {
-    paths.advance(state, time_step);
+    move = time_step * bound_of_speeds(state);
+    path += move;
     std::vector<CellIndex> news;
     if (!has_searched)
       news = surface.cells();
     if (!has_searched || state.step % look_interval == 0)
       {
-        const std::vector<CellIndex> let_go =
-          surface.look(state, paths.of_any());
+        const std::vector<CellIndex> let_go = surface.look(state, path);
         news.insert(news.end(), let_go.begin(), let_go.end());
       }
     for (const CellIndex cell : deep_cells)
@@ -78,7 +91,7 @@ namespace rift
         news.insert(news.end(), behind.begin(), behind.end());
       }
     deep_cells.clear();
-    if (!(paths.of_any() + paths.last_move() < next_survey))
+    if (!(path + move < next_survey))
       add_moved(state, time_step, news);
     update_stiffnesses();
     if (communicator.any(!has_searched || !news.empty()))
@@ -134,7 +147,7 @@ namespace rift
       return;
     has_received = true;
     members.receive();
-    paths.include(time_step * members.largest_told_speed());
+    path += std::max(0., time_step * members.largest_told_speed() - move);
     if (members.have_stiffnesses_changed())
       for (ContactPair &pair : in_play)
         pair.constants.penalty = penalty_of(pair.cells);
@@ -167,7 +180,7 @@ namespace rift
         else
           news.push_back(s.cell);
       }
-    next_survey = paths.of_any() + slack;
+    next_survey = path + slack;
   }
 
   void
@@ -206,7 +219,7 @@ namespace rift
     result.stiffness = interface.stiffnesses.of_cell(cell);
     result.margin =
       std::max(margin_per_size * longest_edge(result.positions), 2 * move);
-    next_survey = std::min(next_survey, paths.of_any() + result.margin - move);
+    next_survey = std::min(next_survey, path + result.margin - move);
 
     std::uint32_t &place = surveyed_at[cell];
     if (place == invalid_index)
@@ -282,8 +295,6 @@ namespace rift
   void
   ContactForce::add_to(State &state, Activity &activity, const double time_step)
   {
-    ++n_steps;
-    paths.grow(state.n_nodes());
     receive(state, time_step);
     wake_pairs(state);
     for (const ContactPair &pair : in_play)

@@ -45,7 +45,7 @@ namespace rift
     for (const CellPair &pair : born)
       {
         members.pack(state, pair);
-        pairs.push_back({pair, no_axis, 0});
+        pairs.push_back({pair, no_axis});
       }
     born.clear();
     const std::vector<CellPair>   near  = put_to_sleep(pairs);
@@ -88,43 +88,15 @@ namespace rift
         else if (gaps[i] > far)
           members.disconnect(cells[i]);
         else
-          sleeping.add({cells[i], axes[i], reach(cells[i]) + gaps[i]},
-                       paths.of_any() + gaps[i] / 2);
+          sleeping.add({cells[i], axes[i]}, path + gaps[i] / 2);
       }
     return near;
-  }
-
-  double
-  ContactForce::reach(const CellPair &cells)
-  {
-    // Cells are in several pairs.
-    reaches.resize(members.size(), Reach{no_step, 0});
-    double sum = 0;
-    for (const std::uint32_t member : {cells.a, cells.b})
-      {
-        Reach &r = reaches[member];
-        if (r.step != n_steps)
-          {
-            r = {n_steps, 0};
-            if (const CellIndex cell = members.own_cell(member);
-                cell == invalid_index)
-              r.value = paths.of_any();
-            else
-              for (unsigned int c = 0; c < n_corners; ++c)
-                r.value += paths.of(topology.node(cell, c));
-          }
-        sum += r.value;
-      }
-    return sum;
   }
 
   void
   ContactForce::wake_pairs(const State &state)
   {
-    const std::vector<SleepingPairs::Pair> woken =
-      sleeping.wake(paths.of_any(), [this](const SleepingPairs::Pair &pair) {
-        return paths.of_any() + (pair.limit - reach(pair.cells)) / 2;
-      });
+    const std::vector<SleepingPairs::Pair> woken = sleeping.wake(path);
     for (const SleepingPairs::Pair &pair : woken)
       members.pack(state, pair.cells);
     std::vector<ContactPair> new_pairs;
@@ -139,7 +111,7 @@ namespace rift
     std::vector<SleepingPairs::Pair> parted;
     for (std::size_t i = 0; i < in_play.size(); ++i)
       if (!overlaps[i])
-        parted.push_back({in_play[i].cells, no_axis, 0});
+        parted.push_back({in_play[i].cells, no_axis});
     if (parted.empty())
       return;
     const std::vector<CellPair> near = put_to_sleep(parted);

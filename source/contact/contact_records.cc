@@ -184,7 +184,6 @@ namespace rift
           a != invalid_index && topology.owns_cell(a))
         too_deep[PairName(r.a) << 32 | r.b] =
           {r.a, r.b, r.step, r.time, {{r.place[0], r.place[1], r.place[2]}}};
-    paths.grow(state.n_nodes());
     search(state, 0, surface.cells());
 
     std::unordered_map<PairName, ContactMemory> memories;

@@ -1,5 +1,7 @@
 #include <rift/contact/sleeping_pairs.h>
 
+#include <cstring>
+
 namespace rift
 {
   void
@@ -7,6 +9,31 @@ namespace rift
   {
     pairs.push_back(pair);
     wakes.push_back(wake);
+  }
+
+  std::vector<SleepingPairs::Pair>
+  SleepingPairs::wake(const double path)
+  {
+    std::vector<Pair> woken;
+    const auto        all_sleep = [&](const std::size_t begin) {
+      Simd of_eight;
+      std::memcpy(&of_eight, &wakes[begin], sizeof(of_eight));
+      return sign_bits(of_eight <= path) == 0;
+    };
+    for (std::size_t i = 0; i < wakes.size();)
+      if (i + batch_size <= wakes.size() && all_sleep(i))
+        i += batch_size;
+      else if (wakes[i] > path)
+        ++i;
+      else
+        {
+          woken.push_back(pairs[i]);
+          pairs[i] = pairs.back();
+          wakes[i] = wakes.back();
+          pairs.pop_back();
+          wakes.pop_back();
+        }
+    return woken;
   }
 
   void

@@ -23,22 +23,13 @@ TEST(SleepingPairs, WakeWhenThePathHasGrownSoFar)
       for (unsigned int i = 0; i < 20; ++i, ++n)
         {
           wakes[n] = path + uniform(engine);
-          pairs.add({{n, n + 1}, static_cast<std::uint8_t>(n % 251), 3. * n},
-                    wakes[n]);
+          pairs.add({{n, n + 1}, static_cast<std::uint8_t>(n % 251)}, wakes[n]);
         }
-      // Every third is told to wake later.
-      const auto later = [&](const SleepingPairs::Pair &pair) {
-        double &wake = wakes.at(pair.cells.a);
-        if (pair.cells.a % 3 == 0 && wake <= path)
-          wake = path + .05 * (pair.cells.a % 5);
-        return wake;
-      };
-      for (const auto &pair : pairs.wake(path, later))
+      for (const auto &pair : pairs.wake(path))
         {
           ASSERT_EQ(wakes.count(pair.cells.a), 1u);
           EXPECT_EQ(pair.cells.b, pair.cells.a + 1);
           EXPECT_EQ(pair.axis, pair.cells.a % 251);
-          EXPECT_EQ(pair.limit, 3. * pair.cells.a);
           EXPECT_LE(wakes[pair.cells.a], path);
           wakes.erase(pair.cells.a);
         }
@@ -52,10 +43,9 @@ TEST(SleepingPairs, WakeWhenThePathHasGrownSoFar)
 TEST(SleepingPairs, FollowTheirCells)
 {
   SleepingPairs pairs;
-  pairs.add({{1, 3}, 7, 0}, 1);
+  pairs.add({{1, 3}, 7}, 1);
   pairs.renumber({9, 0, 9, 2});
-  const auto woken =
-    pairs.wake(2, [](const SleepingPairs::Pair &) { return 1.; });
+  const auto woken = pairs.wake(2);
   ASSERT_EQ(woken.size(), 1u);
   EXPECT_EQ(woken[0].cells.a, 0u);
   EXPECT_EQ(woken[0].cells.b, 2u);

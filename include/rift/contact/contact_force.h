@@ -6,7 +6,6 @@
 #include <rift/contact/contact_members.h>
 #include <rift/contact/contact_pair.h>
 #include <rift/contact/contact_surface.h>
-#include <rift/contact/node_paths.h>
 #include <rift/contact/rendezvous.h>
 #include <rift/contact/sleeping_pairs.h>
 #include <rift/discretization/activity.h>
@@ -253,11 +252,6 @@ namespace rift
     void
     merge(std::vector<ContactPair> pairs);
 
-    /** By no more than this has the gap of a pair closed since a time when it
-     * was zero, m: the sum of the paths of all corners. */
-    double
-    reach(const CellPair &cells);
-
     /** Pairs that have woken sleep again or come into play. */
     void
     wake_pairs(const State &state);
@@ -300,23 +294,10 @@ namespace rift
     std::vector<std::uint32_t> surveyed_at;
     bool                       has_searched = false, has_received = true;
 
-    NodePaths paths;
-
-    /** Of any node, when own cells may have left their margins, m. */
-    double next_survey = 0;
-
-    /** Sums of the paths of the corners of a member, m, in a step. */
-    struct Reach
-    {
-      std::uint64_t step;
-      double        value;
-    };
-
-    static constexpr std::uint64_t no_step = ~std::uint64_t(0);
-
-    /** Of the members; and how often forces have been computed. */
-    std::vector<Reach> reaches;
-    std::uint64_t      n_steps = 0;
+    /** How far anything may have moved in the last step, and in all of them
+     * together, m; and what that sum is when own cells may have left their
+     * margins. */
+    double move = 0, path = 0, next_survey = 0;
 
     ContactMembers        members;
     SleepingPairs         sleeping;
