@@ -75,7 +75,8 @@ namespace rift
   void
   ContactForce::follow(const State &state, const double time_step)
   {
-    move = time_step * bound_of_speeds(state);
+    last_time_step = time_step;
+    move           = time_step * bound_of_speeds(state);
     path += move;
     std::vector<CellIndex> news;
     if (!has_searched)
@@ -94,9 +95,19 @@ namespace rift
     if (!(path + move < next_survey))
       add_moved(state, time_step, news);
     update_stiffnesses();
+    double fastest = 0;
     if (communicator.any(!has_searched || !news.empty()))
-      search(state, time_step, std::move(news));
+      fastest = search(state, time_step, std::move(news));
     send(state);
+    // The forces of the next step are still computed.
+    if (fastest > 0)
+      throw CollectiveError(
+        ExitCode::run_error,
+        "contact: at step " + std::to_string(state.step) +
+          " something moves with " + short_text(fastest) + " m/s, by " +
+          short_text(time_step * fastest) +
+          " m or more than half of a cell in a step. It would pass through "
+          "what it meets. Choose a smaller time step (subsection Time).");
   }
 
   void
@@ -183,10 +194,10 @@ namespace rift
     next_survey = path + slack;
   }
 
-  void
-  ContactForce::refuse_too_fast(const State                  &state,
-                                const double                  time_step,
-                                const std::vector<CellIndex> &cells) const
+  double
+  ContactForce::fastest_of(const State                  &state,
+                           const double                  time_step,
+                           const std::vector<CellIndex> &cells) const
   {
     double fastest = 0;
     for (const CellIndex cell : cells)
@@ -196,15 +207,7 @@ namespace rift
         if (!(time_step * speed <= .5 * longest_edge(motion.positions)))
           fastest = std::max(fastest, speed);
       }
-    fastest = communicator.max(fastest);
-    if (fastest > 0)
-      throw CollectiveError(
-        ExitCode::run_error,
-        "contact: at step " + std::to_string(state.step) +
-          " something moves with " + short_text(fastest) + " m/s, by " +
-          short_text(time_step * fastest) +
-          " m or more than half of a cell in a step. It would pass through "
-          "what it meets. Choose a smaller time step (subsection Time).");
+    return communicator.max(fastest);
   }
 
   ContactCell
@@ -231,7 +234,7 @@ namespace rift
     return result;
   }
 
-  void
+  double
   ContactForce::search(const State           &state,
                        const double           time_step,
                        std::vector<CellIndex> news)
@@ -241,11 +244,12 @@ namespace rift
       news = surface.cells();
     std::sort(news.begin(), news.end());
     news.erase(std::unique(news.begin(), news.end()), news.end());
-    refuse_too_fast(state, time_step, news);
+    const double             fastest = fastest_of(state, time_step, news);
     std::vector<ContactCell> cells;
     for (const CellIndex cell : news)
       cells.push_back(survey(state, time_step, cell));
     adopt(rendezvous.update(std::move(cells)));
+    return fastest;
   }
 
   void
@@ -302,7 +306,6 @@ namespace rift
 
     energies.elastic = ExactSum();
     overlaps.resize(in_play.size());
-    touches.resize(in_play.size());
     std::array<PairForces, PairKernel::chunk_size> forces;
     for (std::size_t begin = 0; begin < in_play.size();
          begin += PairKernel::chunk_size)
@@ -321,7 +324,6 @@ namespace rift
             const PairForces  &f     = forces[i];
             const ContactCell &a     = members[cells.a].cell;
             overlaps[begin + i]      = f.overlaps;
-            touches[begin + i]       = f.touches;
             if (f.is_deep || f.is_too_deep)
               note_depth(cells, f, state);
             if (a.owner == communicator.rank())
@@ -373,9 +375,10 @@ namespace rift
   ContactForce::count_touching() const
   {
     std::int64_t number = 0;
-    for (std::size_t i = 0; i < in_play.size(); ++i)
-      number += touches[i] &&
-                members[in_play[i].cells.a].cell.owner == communicator.rank();
+    for (const ContactPair &pair : in_play)
+      if (pair.memory.energy > 0 &&
+          members[pair.cells.a].cell.owner == communicator.rank())
+        ++number;
     return static_cast<std::uint64_t>(communicator.sum(number));
   }
 } // namespace rift

@@ -7,6 +7,13 @@
 // Which pairs are in play: their birth, sleep and end.
 namespace rift
 {
+  namespace
+  {
+    /** Two cells may have closed their gap when each has moved by half of it;
+     * a little earlier, so that rounding decides nothing. */
+    constexpr double earliest = .5 * (1 - 1e-9);
+  } // namespace
+
   ContactPair
   ContactForce::make_pair(const CellPair &cells) const
   {
@@ -88,7 +95,7 @@ namespace rift
         else if (gaps[i] > far)
           members.disconnect(cells[i]);
         else
-          sleeping.add({cells[i], axes[i]}, path + gaps[i] / 2);
+          sleeping.add({cells[i], axes[i]}, path + earliest * gaps[i]);
       }
     return near;
   }
@@ -127,10 +134,8 @@ namespace rift
             ++next;
           }
         in_play[n] = in_play[i];
-        touches[n] = touches[i];
         ++n;
       }
     in_play.resize(n);
-    touches.resize(n);
   }
 } // namespace rift

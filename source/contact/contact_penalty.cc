@@ -81,6 +81,8 @@ namespace rift
               if (is_exposed(*cell, face))
                 add_face(*cell, face, faces);
             }
+        if (spare_stiffness[*cell] == infinity)
+          return infinity;
         spare += (1 - n_bonds * share_of_bond) * spare_stiffness[*cell];
       }
     return spare / std::max(largest_eigenvalue(faces), largest_area / 3);

@@ -159,6 +159,7 @@ namespace rift
         for (const std::uint32_t member : {pair.a, pair.b})
           names.push_back(members[member].cell.cell);
     archive.write_list("contact: new pairs", names);
+    archive.write_value("contact: time step", last_time_step);
     surface.save(archive);
     std::vector<DeepRecord> deep;
     for (const auto &[name, overlap] : too_deep)
@@ -184,7 +185,10 @@ namespace rift
           a != invalid_index && topology.owns_cell(a))
         too_deep[PairName(r.a) << 32 | r.b] =
           {r.a, r.b, r.step, r.time, {{r.place[0], r.place[1], r.place[2]}}};
-    search(state, 0, surface.cells());
+    // Pairs may have parted, or may meet, by the way of a step.
+    search(state,
+           archive.read_value<double>("contact: time step"),
+           surface.cells());
 
     std::unordered_map<PairName, ContactMemory> memories;
     for (const PairRecord &record :

@@ -155,7 +155,8 @@ namespace rift
         slack = std::min(slack, divide_group(first, last, w.limit, n_groups));
         first = last;
       }
-    w.wake = path + slack / 2;
+    // A little earlier, so that rounding decides nothing.
+    w.wake = path + .5 * (1 - 1e-9) * slack;
     if (n_groups == n_before)
       return false;
 

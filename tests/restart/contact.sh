@@ -5,7 +5,8 @@
 #   bash contact.sh RIFT RANKS "SCENE..."
 . "$(dirname "$0")/common.sh"
 contact=$here/../../prm/contact
-every=(--set "Checkpoint/Interval in steps=40"
+# Between two looks of contact at the cracks, which are every ten steps.
+every=(--set "Checkpoint/Interval in steps=41"
   --set "Checkpoint/Number of sets=100")
 
 # goes_on NAME WRITERS STEP SCENE...: the checkpoint is of so many ranks, with
@@ -27,23 +28,23 @@ goes_on() {
   ! grep -q '"contact_pairs": 0,' "$name/summary.json" || fail "nothing touches"
 }
 
-goes_on block 1 80 "$contact/block.prm" --set "Time/End time=6e-5" \
+goes_on block 1 82 "$contact/block.prm" --set "Time/End time=6e-5" \
   --set "Output/Solution interval=3e-5"
 
 # While cracks grow, let go of their sides, and these touch.
-goes_on disc 2 1040 "$here/../../prm/brazilian/bd_ani.prm" \
+goes_on disc 2 1025 "$here/../../prm/brazilian/bd_ani.prm" \
   --set "Mesh/Element size=4e-3" --set "Time/End time=115e-6" \
   --set "Output/Solution interval=115e-6"
 
-goes_on rigid 3 200 "$here/../scenes/rigid_collision.prm" \
+goes_on rigid 3 205 "$here/../scenes/rigid_collision.prm" \
   --set "Time/End time=2.5e-4"
 
-goes_on pile 2 400 "$contact/pile.prm" \
+goes_on pile 2 410 "$contact/pile.prm" \
   --set "Mesh/Parameters=n_x = 3, n_y = 3, n_z = 2" \
   --set "Material lower/Initial velocity=0.3, 0, -2" \
   --set "Material upper/Initial velocity=0, 0.2, -3" \
   --set "Time/End time=0.015" --set "Output/Solution interval=0.015"
 
-goes_on plate 1 80 "$contact/plate.prm" \
+goes_on plate 1 82 "$contact/plate.prm" \
   --set "Mesh/Element size=8e-3" --set "Mesh/Parameters=width = 0.06" \
   --set "Time/End time=4e-5" --set "Output/Solution interval=2e-5"

@@ -27,6 +27,8 @@ namespace rift
 
     /** Can be moved, but not copied. */
     PendingExchange(PendingExchange &&) noexcept = default;
+
+    /** Waits for its own messages first. */
     PendingExchange &
     operator=(PendingExchange &&other) noexcept;
 

@@ -43,7 +43,7 @@ namespace rift
    * Contact at work: the surface, the search and the forces of the pairs.
    *
    * The positions at t_n and the pairs are made at the end of the step before,
-   * by follow(); add_to() then needs no other rank. Each rank computes all
+   * by follow(), which sends them; add_to() receives. Each rank computes all
    * pairs of the cells that it sees, in the order of these, so that the sums at
    * its nodes are the same on any number of ranks; of cells that it does not
    * own it is told by their owners.
@@ -61,8 +61,8 @@ namespace rift
     static constexpr std::uint64_t look_interval = 10;
 
     /** How far the corners of cracks open before contact takes over, over the
-     * size of the cells around: what they overlap by then is free, which is
-     * where it is smaller than what cells bend by anyway. */
+     * least height of the cells around. Until then an overlap at edges and
+     * vertices has no force; it is less than cells are deformed by. */
     static constexpr double opening = .01;
 
     /** What contact has to know of the body and the materials. */
@@ -220,16 +220,17 @@ namespace rift
               double                  time_step,
               std::vector<CellIndex> &news);
 
-    /** Tells other ranks of own cells, and takes in the new pairs. */
-    void
+    /** Tells other ranks of own cells, and takes in the new pairs.
+     * @return see fastest_of(). */
+    double
     search(const State &state, double time_step, std::vector<CellIndex> news);
 
-    /** @throws CollectiveError if one of the cells moves by more than half of
-     * its size in a step. Collective. */
-    void
-    refuse_too_fast(const State                  &state,
-                    double                        time_step,
-                    const std::vector<CellIndex> &cells) const;
+    /** The speed of the fastest of those cells, of any rank, that move by more
+     * than half of their size in a step, m/s; 0: none. Collective. */
+    double
+    fastest_of(const State                  &state,
+               double                        time_step,
+               const std::vector<CellIndex> &cells) const;
 
     /** What others are to know of an own cell. Keeps where it is now. */
     ContactCell
@@ -299,14 +300,17 @@ namespace rift
      * margins. */
     double move = 0, path = 0, next_survey = 0;
 
+    /** Of the last follow(), s. */
+    double last_time_step = 0;
+
     ContactMembers        members;
     SleepingPairs         sleeping;
     std::vector<CellPair> born;
 
     /** Pairs that nothing parts, in the order of their names, and whether they
-     * overlap and have forces. */
+     * overlap. */
     std::vector<ContactPair>  in_play;
-    std::vector<std::uint8_t> overlaps, touches;
+    std::vector<std::uint8_t> overlaps;
 
     /** Cells of this rank and ghosts in which others lay deep at the last
      * add_to(), and pairs of this rank that have lain in each other too deep. */

@@ -14,7 +14,7 @@ namespace rift
 {
   /**
    * The cells in pairs that are computed on this rank, and how they move: own
-   * ones and ghosts as the state says, others as their owners tell in each
+   * ones as the state says, others, ghosts as well, as their owners tell in each
    * step.
    */
   class ContactMembers
