@@ -22,15 +22,14 @@ namespace rift::test
     {
       const SpaceDivision space({{-1, -1, -1}}, 2, {});
       std::sort(cells.begin(), cells.end(), [&](const auto &a, const auto &b) {
-        return space.key_of(a.motion.positions[0]) <
-               space.key_of(b.motion.positions[0]);
+        return space.key_of(a.positions[0]) < space.key_of(b.positions[0]);
       });
       auto name = static_cast<GlobalCellIndex>(first_name);
       for (ContactCell &cell : cells)
         {
           cell.cell = name++;
           for (unsigned int c = 0; c < n_corners; ++c)
-            cell.nodes[c] = std::uint64_t(n_corners) * cell.cell + c;
+            cell.groups[c] = std::uint64_t(n_corners) * cell.cell + c;
         }
     }
 
@@ -56,12 +55,13 @@ namespace rift::test
           ContactCell cell{};
           cell.owner          = communicator.rank();
           cell.constants.body = invalid_index;
-          cell.bonded.fill(invalid_index);
+          cell.margin         = .1 * size;
+          cell.behind.fill(invalid_index);
           for (unsigned int c = 0; c < n_corners; ++c)
             {
-              cell.motion.positions[c] = x;
+              cell.positions[c] = x;
               if (c > 0)
-                cell.motion.positions[c][c - 1] += size;
+                cell.positions[c][c - 1] += size;
             }
           cells.push_back(cell);
         }
@@ -86,22 +86,20 @@ namespace rift::test
       const std::vector<ContactCell> own = own_cells(communicator, n_cells);
       std::vector<Vector3<double>>   points;
       for (const ContactCell &cell : own)
-        points.push_back(cell.motion.positions[0]);
-      const double skin = .8 / std::sqrt(double(n_cells));
-      Rendezvous   rendezvous(communicator, [&](const ContactCell &) {
+        points.push_back(cell.positions[0]);
+      Rendezvous  rendezvous(communicator, [&](const ContactCell &) {
         return std::vector<int>{communicator.rank()};
       });
-      double       divide = 1e9, search = 1e9;
-      std::size_t  n_pairs = 0;
-      rendezvous.search(own, skin);
+      double      divide = 1e9, search = 1e9;
+      std::size_t n_pairs = 0;
+      rendezvous.update(own);
       for (unsigned int i = 0; i < 10; ++i)
         {
           divide = std::min(divide, time_of(communicator, [&] {
                               divide_space(points, communicator);
                             }));
           search = std::min(search, time_of(communicator, [&] {
-                              n_pairs =
-                                rendezvous.search(own, skin).pairs.size();
+                              n_pairs = rendezvous.update(own).pairs.size();
                             }));
         }
       if (communicator.is_root())
