@@ -407,7 +407,7 @@ def plot_contact():
               label="small overlap, $2d/h$")
     left.axvline(limit, ymax=.8, color="C3", lw=1)
     left.axhline(0, color="grey", lw=.6)
-    left.text(limit + .01, .16, "the run stops:\n"
+    left.text(limit + .01, .16, "rift warns:\n"
               "mean of $\\varphi_A + \\varphi_B$\nabove 0.15", color="C3",
               fontsize=9)
     left.set(xlabel="depth over height of the cells, $d/h$", xlim=(0, .6),
