@@ -1,4 +1,6 @@
 #include <rift/app/module_list.h>
+#include <rift/bonds/bond_fracture.h>
+#include <rift/cohesive/element_fracture.h>
 #include <rift/damping/local_damping_parameters.h>
 #include <rift/loading/absorbing_boundaries.h>
 #include <rift/loading/body_force_parameters.h>
@@ -27,11 +29,15 @@ namespace rift
     {
       if (parameters.cohesive.model == CohesiveParameters::Model::none)
         return nullptr;
-      return std::make_unique<Fracture>(body.discretization,
-                                        solid.internal_force(),
-                                        body.materials,
-                                        body.stiffnesses,
-                                        parameters.cohesive);
+      if (parameters.cohesive.law == CohesiveParameters::bonds)
+        return std::make_unique<BondFracture>(body.discretization,
+                                              solid.internal_force(),
+                                              body.materials);
+      return std::make_unique<ElementFracture>(body.discretization,
+                                               solid.internal_force(),
+                                               body.materials,
+                                               body.stiffnesses,
+                                               parameters.cohesive);
     }
 
     std::unique_ptr<RigidBodies>

@@ -287,7 +287,7 @@ namespace rift
       fracture->write(
         d.state.time,
         fracture_solution(d.topology,
-                          snapshot.modules.fracture->cohesive_force(),
+                          *snapshot.modules.fracture,
                           fields,
                           output_fields));
     flush();

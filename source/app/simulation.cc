@@ -198,7 +198,7 @@ namespace rift
                                                          component);
       return acceleration;
     };
-    return {body.discretization, steps.time_step, failures, prescribed, {}};
+    return {body.discretization, steps.time_step, failures, prescribed, {}, {}};
   }
 
   void
@@ -288,8 +288,9 @@ namespace rift
   void
   Simulation::follow_owners(StepContext &step, const TopologyChange &change)
   {
-    const auto vertices =
-      body.discretization.follow_owners(change.splits, step.openings);
+    const auto vertices = body.discretization.follow_owners(change.splits,
+                                                            step.openings,
+                                                            step.news);
     if (!vertices.empty())
       for (const auto &module : modules)
         module->update_nodes(vertices);

@@ -87,7 +87,7 @@ namespace rift
   Simulation::count_faces() const
   {
     return modules.fracture != nullptr ?
-             modules.fracture->cohesive_force().count_faces(body.communicator) :
+             modules.fracture->count_faces(body.communicator) :
              FaceCounts();
   }
 

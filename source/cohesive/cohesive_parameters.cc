@@ -30,7 +30,12 @@ namespace rift
     std::vector<NamedLaw>
     by_name(LawList<Laws...>)
     {
-      std::vector<NamedLaw> result;
+      std::vector<NamedLaw> result = {
+        {CohesiveParameters::bonds,
+         "cracks run along planes through nodes, and the traction on a plane is "
+         "what holds its sides together, up to a Mohr-Coulomb envelope that "
+         "softens; strength and fracture energy do not depend on the mesh",
+         {CohesiveModel::extrinsic}}};
       for (const NamedLaw &law :
            {NamedLaw{Laws::name, Laws::summary, {Laws::model}}...})
         {

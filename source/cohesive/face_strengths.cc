@@ -10,17 +10,6 @@ namespace rift
 {
   namespace
   {
-    FaceStrength
-    weaker_of(const FaceStrength &a, const FaceStrength &b)
-    {
-      return {std::min(a.tensile_strength, b.tensile_strength),
-              std::min(a.cohesion, b.cohesion),
-              std::min(a.tan_friction_angle, b.tan_friction_angle),
-              std::min(a.residual_friction, b.residual_friction),
-              std::min(a.fracture_energy_1, b.fracture_energy_1),
-              std::min(a.fracture_energy_2, b.fracture_energy_2)};
-    }
-
     bool
     any_scatters(const std::vector<MaterialParameters> &materials)
     {

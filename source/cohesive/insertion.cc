@@ -16,11 +16,10 @@ namespace rift
                        const CohesiveParameters &parameters)
     : topology(topology)
     , reference(reference)
-    , internal_force(internal_force)
     , strengths(strengths)
     , bounds(bounds)
     , least_share(parameters.least_share)
-    , stress_position(topology.n_batches(), invalid_index)
+    , stresses(topology, internal_force)
   {
   }
 
@@ -35,7 +34,7 @@ namespace rift
       {
         const std::uint32_t batch = cell / batch_size;
         if (batch != current_batch)
-          near = near_strength(batch, batch_stress(state, batch));
+          near = near_strength(batch, stresses.of_batch(state, batch));
         current_batch = batch;
         for (unsigned int f = 0; f < n_corners; ++f)
           {
@@ -47,9 +46,6 @@ namespace rift
               faces.push_back(face);
           }
       }
-    for (const std::uint32_t batch : computed_batches)
-      stress_position[batch] = invalid_index;
-    computed_batches.clear();
     stresses.clear();
 
     // A face may have been found from both of its sides.
@@ -113,22 +109,10 @@ namespace rift
     return result;
   }
 
-  const InternalForce::BatchStress &
-  Insertion::batch_stress(const State &state, const std::uint32_t batch)
-  {
-    if (stress_position[batch] == invalid_index)
-      {
-        stress_position[batch] = static_cast<std::uint32_t>(stresses.size());
-        computed_batches.push_back(batch);
-        stresses.push_back(internal_force.stress(state, batch));
-      }
-    return stresses[stress_position[batch]];
-  }
-
   Matrix3<double>
   Insertion::stress(const State &state, const CellIndex cell)
   {
-    const Matrix3<Simd> &p = batch_stress(state, cell / batch_size).first;
+    const Matrix3<Simd> &p = stresses.of_batch(state, cell / batch_size).first;
     Matrix3<double>      result;
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int d = 0; d < dim; ++d)
@@ -142,10 +126,10 @@ namespace rift
     const Face           &f = topology.faces[face];
     const Vector3<double> area =
       reference_area_vector(reference, f.cells[0], f.local_faces[0]);
-    const std::array<Matrix3<double>, 2> stresses = {
+    const std::array<Matrix3<double>, 2> of_sides = {
       {stress(state, f.cells[0]), stress(state, f.cells[1])}};
     const Vector3<double> traction =
-      (.5 / norm(area)) * (stresses[0] * area + stresses[1] * area);
+      (.5 / norm(area)) * (of_sides[0] * area + of_sides[1] * area);
 
     const Vector3<double> normal = current_normal(topology, state, f);
 
@@ -160,7 +144,7 @@ namespace rift
     for (const CellIndex cell : f.cells)
       {
         const SymmetricTensor<Simd> &s =
-          batch_stress(state, cell / batch_size).second;
+          stresses.of_batch(state, cell / batch_size).second;
         for (unsigned int i = 0; i < dim; ++i)
           for (unsigned int j = 0; j < dim; ++j)
             mean[i][j] += .5 * s[voigt[i][j]][cell % batch_size];

@@ -113,11 +113,10 @@ namespace rift
   void
   Contact::prepare(Discretization &, const StepBound &bound)
   {
-    // A third for each face of a corner where each may get an element.
     const double share_of_element =
-      fracture != nullptr && fracture->is_extrinsic() ? 1. / 3 : 0;
+      fracture != nullptr ? fracture->share_of_stiffness() : 0;
     if (fracture != nullptr)
-      fracture->cohesive_force().leave_failed_faces_to_contact(
+      fracture->leave_failed_faces_to_contact(
         ContactForce::look_interval,
         ContactForce::opening);
     force.emplace(

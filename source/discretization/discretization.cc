@@ -185,13 +185,15 @@ namespace rift
 
   std::vector<VertexIndex>
   Discretization::follow_owners(const std::vector<NodeSplit> &splits,
-                                std::vector<OpeningCorner>   &openings)
+                                std::vector<OpeningCorner>   &openings,
+                                std::vector<CornerNews>      &news)
   {
-    exchange.send(topology, state, splits, openings);
+    exchange.send(topology, state, splits, openings, news);
     auto change = exchange.receive(topology, state, activity);
     openings.insert(openings.end(),
                     change.openings.begin(),
                     change.openings.end());
+    news = std::move(change.news);
     return std::move(change.vertices);
   }
 
@@ -235,7 +237,8 @@ namespace rift
     rift_check(are_of_all_nodes(nodes, topology));
     move_nodes(nodes, topology, state, activity);
     std::vector<OpeningCorner> no_openings;
-    auto       vertices = follow_owners(change.splits, no_openings);
+    std::vector<CornerNews>    no_news;
+    auto       vertices = follow_owners(change.splits, no_openings, no_news);
     const auto split    = vertices_of(topology, change.splits);
     vertices.insert(vertices.end(), split.begin(), split.end());
     return vertices;

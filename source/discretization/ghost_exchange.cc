@@ -241,11 +241,38 @@ namespace rift
     return told;
   }
 
+  std::vector<GhostExchange::NewsMessage>
+  GhostExchange::select_news(const Topology                &topology,
+                             const Partner                 &receiver,
+                             const std::vector<CornerNews> &news)
+  {
+    std::vector<NewsMessage> told;
+    for (const CornerNews &item : news)
+      {
+        const auto at = find_vertex(receiver.vertices,
+                                    topology.vertex(item.cell, item.corner));
+        if (at != receiver.vertices.end() &&
+            std::any_of(receiver.corners.begin() + at->begin,
+                        receiver.corners.begin() + at->end,
+                        [&item](const CellCorner &corner) {
+                          return corner.cell == item.cell;
+                        }))
+          told.push_back({topology.cell_global_indices[item.cell],
+                          item.corner,
+                          item.local_face,
+                          item.kind,
+                          0,
+                          item.values});
+      }
+    return told;
+  }
+
   void
   GhostExchange::send(const Topology                   &topology,
                       const State                      &state,
                       const std::vector<NodeSplit>     &splits,
-                      const std::vector<OpeningCorner> &openings)
+                      const std::vector<OpeningCorner> &openings,
+                      const std::vector<CornerNews>    &news)
   {
     for (Partner &receiver : receivers)
       {
@@ -260,13 +287,17 @@ namespace rift
             changed.insert(changed.end(), here.begin(), here.end());
           }
         const auto         told = select_openings(topology, receiver, openings);
+        const auto         selected = select_news(topology, receiver, news);
         const Header       header{static_cast<std::uint32_t>(changed.size()),
-                            static_cast<std::uint32_t>(told.size())};
+                            static_cast<std::uint32_t>(told.size()),
+                            static_cast<std::uint32_t>(selected.size()),
+                            0};
         std::vector<char> &buffer = receiver.buffer;
         buffer.clear();
         append(buffer, &header, 1);
         append(buffer, changed.data(), changed.size());
         append(buffer, told.data(), told.size());
+        append(buffer, selected.data(), selected.size());
         for (const NodeIndex node : receiver.nodes)
           {
             append(buffer, state.displacement[node].v, dim);
@@ -316,6 +347,13 @@ namespace rift
                  static_cast<std::uint8_t>(told.corner),
                  {{told.force[0], told.force[1], told.force[2]}}});
           }
+        for (const NewsMessage &told :
+             take<NewsMessage>(bytes, header.n_news))
+          change.news.push_back({topology.find_cell(told.cell),
+                                 told.corner,
+                                 told.local_face,
+                                 told.kind,
+                                 told.values});
         state.grow(new_nodes);
         for (const NodeSplit &split : new_nodes.splits)
           state.mass[split.parts[1]] = state.mass[split.parts[0]];

@@ -16,7 +16,7 @@ namespace rift
     FieldList list;
     declare_nodal_fields(list);
     InternalForce::declare_fields(list, nullptr);
-    CohesiveForce::declare_fields(list, nullptr);
+    Fracture::declare_fields(list, nullptr);
     RigidBodies::declare_fields(list, nullptr);
     return list;
   }
@@ -163,7 +163,7 @@ namespace rift
 
   Solution
   fracture_solution(const Topology       &topology,
-                    const CohesiveForce  &cohesive_force,
+                    const Fracture       &fracture,
                     const FieldList      &fields,
                     const FieldSelection &wanted)
   {
@@ -172,17 +172,15 @@ namespace rift
     Columns nodal(fields, FieldLocation::node, displacement_of(fields, wanted));
     Columns of_faces(fields, FieldLocation::cohesive_face, wanted);
 
-    const CohesiveFaces &faces = cohesive_force.faces();
-    for (std::size_t i = 0; i < faces.size(); ++i)
+    for (std::size_t i = 0; i < fracture.n_faces(); ++i)
       {
-        if (!topology.owns_face(faces.infos[i].face) ||
-            !cohesive_force.faces().has_opened(i))
+        const auto open = fracture.open_face(i);
+        if (!open || !topology.owns_face(open->face))
           continue;
-        const CohesiveBatch &batch = faces.batches[i / batch_size];
         for (unsigned int c = 0; c < 3; ++c)
           {
-            const NodeIndex minus = batch.minus[c][i % batch_size];
-            const NodeIndex plus  = batch.plus[c][i % batch_size];
+            const NodeIndex minus = open->nodes[0][c];
+            const NodeIndex plus  = open->nodes[1][c];
             solution.cells.push_back(
               static_cast<NodeIndex>(solution.points.size()));
             solution.points.push_back(

@@ -5,6 +5,7 @@
 #include <rift/base/plain_bytes.h>
 #include <rift/cohesive/cohesive_faces.h>
 #include <rift/cohesive/cohesive_parameters.h>
+#include <rift/cohesive/face_means.h>
 #include <rift/cohesive/face_strengths.h>
 #include <rift/cohesive/penalty_stiffness.h>
 #include <rift/discretization/ghost_exchange.h>
@@ -26,27 +27,6 @@ namespace rift
     /** Used up until now, by fracture and by friction. */
     ExactSum fracture;
     ExactSum friction;
-  };
-
-  /** Means over the Gauss points of a cohesive element, for output. */
-  struct FaceMeans
-  {
-    /** 0: intact, 1: separated. */
-    double damage = 0;
-
-    /** Jumps, m, and tractions, Pa, in the frame of the face. */
-    double opening = 0, slip = 0, normal = 0, shear = 0;
-
-    /** Squares of the two parts of the damage. */
-    double opening_damage = 0, slip_damage = 0;
-
-    /** Share of sliding in the damage, from 0 to 1. */
-    double
-    mode() const
-    {
-      const double total = opening_damage + slip_damage;
-      return total > 0 ? slip_damage / total : 0;
-    }
   };
 
   /** What every cohesive element remembers, for a checkpoint. */

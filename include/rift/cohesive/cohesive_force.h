@@ -1,30 +1,14 @@
 #ifndef rift_cohesive_cohesive_force_h
 #define rift_cohesive_cohesive_force_h
 
-#include <rift/base/communicator.h>
 #include <rift/cohesive/cohesive_elements.h>
 #include <rift/cohesive/partings.h>
-#include <rift/discretization/field_list.h>
 
 #include <memory>
 #include <vector>
 
 namespace rift
 {
-  /** Numbers of faces of the whole body. */
-  struct FaceCounts
-  {
-    /** Faces with a cohesive element, and those that have begun to open. */
-    std::uint64_t inserted = 0, opened = 0;
-
-    /** Faces that have lost all their strength. */
-    std::uint64_t failed = 0;
-
-    /** Faces that have opened though the mesh is too coarse for their fracture
-     * energy. */
-    std::uint64_t too_short = 0;
-  };
-
   /**
    * The cohesive elements at work.
    *
@@ -171,14 +155,13 @@ namespace rift
       return elements->means(state);
     }
 
-    /** Declares what output can show of its faces.
-     * @param force null: the names alone. */
-    static void
-    declare_fields(FieldList &list, const CohesiveForce *force);
-
-    /** Collective. */
-    FaceCounts
-    count_faces(const Communicator &communicator) const;
+    /** Number of faces of this rank that have opened though the mesh is too
+     * coarse for their fracture energy. */
+    std::size_t
+    count_unresolved() const
+    {
+      return elements->count_unresolved();
+    }
 
     /** For tests, which know their law: a CohesiveElementsOf it. */
     CohesiveElements &

@@ -28,7 +28,10 @@ namespace rift
     /** The entry Cohesive model. */
     Model model = Model::none;
 
-    /** The name of one of the CohesiveLaws. */
+    /** The law that is not of faces but of planes through nodes. */
+    static constexpr const char *bonds = "bonds";
+
+    /** `bonds`, or the name of one of the CohesiveLaws. */
     std::string law = "Mohr-Coulomb";
 
     /**

@@ -1,34 +1,36 @@
 #ifndef rift_cohesive_fracture_h
 #define rift_cohesive_fracture_h
 
-#include <rift/cohesive/cohesive_force.h>
-#include <rift/cohesive/insertion.h>
+#include <rift/cohesive/face_means.h>
 #include <rift/module/module.h>
+
+#include <array>
 
 namespace rift
 {
-  /** Strengths, insertion and cohesive elements as a module: what breaks. */
+  /** Numbers of faces of the whole body. */
+  struct FaceCounts
+  {
+    /** Faces that have been cut, and those that have begun to open. */
+    std::uint64_t inserted = 0, opened = 0;
+
+    /** Faces that have lost all their strength. */
+    std::uint64_t failed = 0;
+
+    /** Faces that have opened though the mesh is too coarse for their fracture
+     * energy. */
+    std::uint64_t too_short = 0;
+  };
+
+  /** What breaks the body, as a module: what others must know of it, whatever
+   * its formulation. */
   class Fracture : public Module
   {
   public:
-    /**
-     * The body, and materials and stiffnesses, both by material index, must
-     * outlive this object.
-     *
-     * @param internal_force finds the cells near their strength; must outlive
-     *   this object.
-     */
-    Fracture(Discretization                        &body,
-             InternalForce                         &internal_force,
-             const std::vector<MaterialParameters> &materials,
-             const std::vector<StiffnessMatrix>    &stiffnesses,
-             const CohesiveParameters              &parameters);
-
-    /** The cohesive elements; after prepare(). */
-    CohesiveForce &
-    cohesive_force()
+    /** @param topology must outlive this object. */
+    explicit Fracture(const Topology &topology)
+      : topology(topology)
     {
-      return *force;
     }
 
     Stage
@@ -37,85 +39,70 @@ namespace rift
       return Stage::cohesive_forces;
     }
 
-    void
-    limit_step(StepLimits &limits) const override;
-
-    void
-    prepare(Discretization &body, const StepBound &bound) override;
-
-    void
-    choose_cuts(const StepContext      &step,
-                std::vector<FaceIndex> &faces) override;
-
-    void
-    follow_cut(const StepContext &, const TopologyChange &change) override
+    /** A face that has begun to open. */
+    struct OpenFace
     {
-      force->apply(change);
-    }
+      /** Index in Topology::faces, and its nodes by side and corner. */
+      FaceIndex                               face;
+      std::array<std::array<NodeIndex, 3>, 2> nodes;
+    };
 
-    void
-    update_nodes(const std::vector<VertexIndex> &vertices) override
-    {
-      force->update_nodes(vertices);
-    }
+    /** Number of faces that this rank computes. */
+    virtual std::size_t
+    n_faces() const = 0;
 
-    void
-    add_forces(StepContext &step) override
-    {
-      force->add_to(step.body.state, step.body.activity);
-    }
+    /** One of them, by its index in the fields of cohesive faces; nothing if it
+     * has not begun to open. */
+    virtual std::optional<OpenFace>
+    open_face(std::size_t index) const = 0;
 
-    void
-    hold_partings(StepContext &step) override
-    {
-      step.openings =
-        force->hold_partings(step.body.state, step.prescribed_acceleration);
-    }
+    /** Of all these faces, for output. */
+    virtual std::vector<FaceMeans>
+    means(const State &state) const = 0;
 
-    void
-    start_openings(StepContext &step) override
-    {
-      force->start_openings(step.body.state, std::move(step.openings));
-    }
-
-    void
-    account(const Discretization &body, EnergyTable &energies) const override;
+    /** Declares what output can show of its faces.
+     * @param fracture null: the names alone. */
+    static void
+    declare_fields(FieldList &list, const Fracture *fracture);
 
     void
     declare_fields(FieldList &list) const override
     {
-      CohesiveForce::declare_fields(list, &*force);
+      declare_fields(list, this);
     }
 
-    void
-    save(const Discretization &body, Archive &archive) const override;
+    /** Counts the faces by their states. Collective. */
+    FaceCounts
+    count_faces(const Communicator &communicator) const;
 
-    void
-    load(const Discretization &body, const Archive &archive) override;
+    /**
+     * Has failed faces let go when they are open, since contact then resists
+     * their overlap.
+     *
+     * @param interval faces are let go of at the end of so many steps, when
+     *   contact looks for pairs.
+     * @param opening over the size of the face, of the corner that is open
+     *   most.
+     */
+    virtual void
+    leave_failed_faces_to_contact(std::uint64_t interval, double opening) = 0;
 
-    void
-    count_items(const Topology &topology, WorkItems &items) const override;
+    /** What of the room that the time step leaves for added stiffness it takes,
+     * at a corner with one face of each kind. */
+    virtual double
+    share_of_stiffness() const = 0;
 
-    /** Whether faces are cut while the run goes on. */
-    bool
-    is_extrinsic() const
+  protected:
+    /** Number of faces of this rank that are too large for their fracture
+     * energy. */
+    virtual std::size_t
+    count_unresolved() const
     {
-      return parameters.model == CohesiveParameters::Model::extrinsic;
+      return 0;
     }
 
-  private:
-    Discretization                        &body;
-    InternalForce                         &internal_force;
-    const std::vector<MaterialParameters> &materials;
-    const std::vector<StiffnessMatrix>    &stiffnesses;
-    const CohesiveParameters               parameters;
-
-    std::optional<FaceStrengths> strengths;
-    std::optional<CohesiveForce> force;
-
-    /** In the extrinsic model. */
-    StressBounds             bounds;
-    std::optional<Insertion> insertion;
+    /** The body's. */
+    const Topology &topology;
   };
 } // namespace rift
 

@@ -3,7 +3,7 @@
 
 #include <rift/cohesive/face_strengths.h>
 #include <rift/discretization/state.h>
-#include <rift/solid/internal_force.h>
+#include <rift/solid/cell_stresses.h>
 
 #include <vector>
 
@@ -59,27 +59,20 @@ namespace rift
     near_strength(std::uint32_t                     batch,
                   const InternalForce::BatchStress &stress) const;
 
-    /** Nominal stress of a cell; batches are computed once per call. */
+    /** Nominal stress of a cell. */
     Matrix3<double>
     stress(const State &state, CellIndex cell);
-
-    const InternalForce::BatchStress &
-    batch_stress(const State &state, std::uint32_t batch);
 
     bool
     breaks(const State &state, FaceIndex face);
 
     const Topology          &topology;
     const ReferenceCellData &reference;
-    const InternalForce     &internal_force;
     const FaceStrengths     &strengths;
     const StressBounds      &bounds;
     const double             least_share;
 
-    /** Where the stress of a batch stands in `stresses`. */
-    std::vector<std::uint32_t>              stress_position;
-    std::vector<std::uint32_t>              computed_batches;
-    std::vector<InternalForce::BatchStress> stresses;
+    CellStresses stresses;
   };
 } // namespace rift
 

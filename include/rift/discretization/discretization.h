@@ -50,11 +50,13 @@ namespace rift
      *
      * @param splits of cut() in this step.
      * @param openings of this step; those of other ranks are added.
+     * @param news of this step; replaced by those of other ranks.
      * @return vertices at which other ranks have split nodes.
      */
     std::vector<VertexIndex>
     follow_owners(const std::vector<NodeSplit> &splits,
-                  std::vector<OpeningCorner>   &openings);
+                  std::vector<OpeningCorner>   &openings,
+                  std::vector<CornerNews>      &news);
 
     /** Writes the motion of the nodes and the states of the faces. */
     void

@@ -3,6 +3,7 @@
 
 #include <rift/base/communicator.h>
 #include <rift/discretization/activity.h>
+#include <rift/discretization/corner_news.h>
 #include <rift/discretization/state.h>
 
 #include <vector>
@@ -68,12 +69,14 @@ namespace rift
      *
      * @param splits of this step at complete vertices.
      * @param openings of this step at complete vertices.
+     * @param news at complete vertices that this rank owns.
      */
     void
     send(const Topology                   &topology,
          const State                      &state,
          const std::vector<NodeSplit>     &splits,
-         const std::vector<OpeningCorner> &openings);
+         const std::vector<OpeningCorner> &openings,
+         const std::vector<CornerNews>    &news = {});
 
     /** What a crack has changed at incomplete vertices. */
     struct Change
@@ -82,6 +85,9 @@ namespace rift
        * there. */
       std::vector<VertexIndex>   vertices;
       std::vector<OpeningCorner> openings;
+
+      /** What the owners of incomplete vertices tell. */
+      std::vector<CornerNews> news;
     };
 
     /**
@@ -147,9 +153,19 @@ namespace rift
       double          force[dim];
     };
 
+    /** CornerNews by names that all ranks understand. */
+    struct NewsMessage
+    {
+      GlobalCellIndex       cell;
+      std::uint8_t          corner, local_face;
+      CornerNews::Kind      kind;
+      std::uint8_t          padding;
+      std::array<double, 4> values;
+    };
+
     struct Header
     {
-      std::uint32_t n_changed, n_openings;
+      std::uint32_t n_changed, n_openings, n_news, padding;
     };
 
     void
@@ -175,6 +191,11 @@ namespace rift
     select_openings(const Topology                   &topology,
                     const Partner                    &receiver,
                     const std::vector<OpeningCorner> &openings);
+
+    static std::vector<NewsMessage>
+    select_news(const Topology                &topology,
+                const Partner                 &receiver,
+                const std::vector<CornerNews> &news);
 
     void
     receive_bytes(Partner &sender) const;

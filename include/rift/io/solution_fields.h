@@ -2,7 +2,7 @@
 #define rift_io_solution_fields_h
 
 #include <rift/base/communicator.h>
-#include <rift/cohesive/cohesive_force.h>
+#include <rift/cohesive/fracture.h>
 #include <rift/discretization/field_list.h>
 #include <rift/io/vtu_output.h>
 
@@ -49,7 +49,7 @@ namespace rift
    */
   Solution
   fracture_solution(const Topology       &topology,
-                    const CohesiveForce  &cohesive_force,
+                    const Fracture       &fracture,
                     const FieldList      &fields,
                     const FieldSelection &wanted);
 

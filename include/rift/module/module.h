@@ -35,6 +35,10 @@ namespace rift
     /** Corners of faces that open in this step; after the drift those that
      * other ranks have told of, too. */
     std::vector<OpeningCorner> openings;
+
+    /** What this rank tells others of corners of cells; after the drift what
+     * they have told. */
+    std::vector<CornerNews> news;
   };
 
   /** Whether a component of the velocity of a node is prescribed. */

@@ -1,0 +1,148 @@
+#ifndef rift_bonds_bond_law_h
+#define rift_bonds_bond_law_h
+
+#include <rift/base/vector3.h>
+#include <rift/cohesive/laws/softening.h>
+#include <rift/material/face_strength.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rift
+{
+  /**
+   * The traction of a bond per projected area of its crack plane: at most an
+   * envelope that softens with the damage (doc/theory.md, eq. O7 to O11). There
+   * is no spring: what holds the two nodes together comes from outside, and the
+   * law says how much of it the bond bears.
+   */
+  class BondLaw
+  {
+  public:
+    /** What a bond remembers, besides the strength of its plane. */
+    struct Memory
+    {
+      /** Damage from 0 to 1. */
+      double damage = 0;
+
+      /** What the demand at the start was above 1. */
+      double excess = 0;
+
+      /** f(damage). */
+      double softening = 1;
+    };
+
+    /** A traction in the frame of the crack plane, Pa: normal part, tension
+     * positive, and shear part as a vector in space. */
+    struct Traction
+    {
+      /** Along the normal, and the rest. */
+      double          normal;
+      Vector3<double> shear;
+    };
+
+    /** Splits a traction in space. */
+    static Traction
+    split(const Vector3<double> &traction, const Vector3<double> &normal)
+    {
+      const double along = dot(traction, normal);
+      return {along, traction - along * normal};
+    }
+
+    /** Present coefficient of friction (eq. 14a). */
+    static double
+    friction(const FaceStrength &strength, const Memory &memory)
+    {
+      return strength.residual_friction +
+             memory.softening *
+               (strength.tan_friction_angle - strength.residual_friction);
+    }
+
+    /** The traction over the envelope of an undamaged bond; in tension at most
+     * f(D) + x on the envelope. */
+    static double
+    demand(const FaceStrength &strength,
+           const double        normal,
+           const double        shear,
+           const double        friction)
+    {
+      if (normal > 0)
+        return std::max(normal / strength.tensile_strength,
+                        (shear + strength.tan_friction_angle * normal) /
+                          strength.cohesion);
+      return (shear + friction * normal) / strength.cohesion;
+    }
+
+    /**
+     * The part of a traction that the bond bears: in tension it is shortened to
+     * the envelope, under pressure its shear part is (eq. O7).
+     *
+     * @param closing normal traction that is left under pressure once the gap
+     *   of an open bond has been closed, Pa (eq. O9).
+     */
+    static Traction
+    bear(const FaceStrength &strength,
+         const Memory       &memory,
+         Traction            trial,
+         const double        closing)
+    {
+      const double limit = memory.softening + memory.excess;
+      const double shear = norm(trial.shear);
+      if (trial.normal > 0)
+        {
+          const double d = demand(strength, trial.normal, shear, 0);
+          if (d > limit)
+            {
+              trial.normal *= limit / d;
+              trial.shear = (limit / d) * trial.shear;
+            }
+          return trial;
+        }
+      trial.normal = std::min(0., closing);
+      const double largest =
+        limit * strength.cohesion - friction(strength, memory) * trial.normal;
+      if (shear > largest)
+        trial.shear = (largest / shear) * trial.shear;
+      return trial;
+    }
+
+    /**
+     * Damage of a step, by the work of the cohesive part of the traction (eq.
+     * O10), and what is left of the excess (eq. O11).
+     *
+     * @param opening, slip of the step, m.
+     */
+    void
+    soften(const FaceStrength    &strength,
+           Memory                &memory,
+           const Traction        &traction,
+           const double           opening,
+           const Vector3<double> &slip) const
+    {
+      const double limit = memory.softening + memory.excess;
+      if (limit <= 0)
+        return;
+      const double work_of_slip = dot(traction.shear, slip);
+      double       growth       = 0;
+      if (traction.normal > 0)
+        growth = Softening::integral / limit *
+                 (traction.normal * opening / strength.fracture_energy_1 +
+                  work_of_slip / strength.fracture_energy_2);
+      else
+        growth = Softening::integral * strength.cohesion /
+                 strength.fracture_energy_2 * work_of_slip /
+                 std::max(norm(traction.shear), 1e-9 * strength.cohesion);
+      if (growth <= 0)
+        return;
+      constexpr double damage_of_excess = .01;
+      memory.damage                     = std::min(1., memory.damage + growth);
+      memory.excess = std::max(0., memory.excess - growth / damage_of_excess);
+      memory.softening = softening(memory.damage);
+    }
+
+  private:
+    Softening softening;
+  };
+} // namespace rift
+
+#endif

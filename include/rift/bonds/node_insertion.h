@@ -1,0 +1,163 @@
+#ifndef rift_bonds_node_insertion_h
+#define rift_bonds_node_insertion_h
+
+#include <rift/bonds/crack_planes.h>
+#include <rift/bonds/node_star.h>
+#include <rift/bonds/node_strengths.h>
+#include <rift/discretization/corner_news.h>
+#include <rift/solid/cell_stresses.h>
+
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+namespace rift
+{
+  /** A node whose stress has reached the strength of a plane. */
+  struct CrackCandidate
+  {
+    /** The node, and the largest demand of all planes. */
+    NodeIndex node;
+    double    demand;
+
+    /** Number of its cells, its name, and the mean second Piola-Kirchhoff
+     * stress of its cells, Pa. */
+    std::size_t             n_cells;
+    double                  name;
+    SymmetricTensor<double> stress;
+  };
+
+  /**
+   * Decides which nodes part, and along which planes (doc/theory.md, eq. O1 to
+   * O5). A node whose stress reaches the strength in step n is a candidate;
+   * the demands of its neighbours are known to all ranks in step n + 1, in which
+   * those are chosen that part; their faces are cut at the start of step n + 2,
+   * when all ranks know of them.
+   *
+   * Every rank at which a vertex is complete decides the same there. The others
+   * are told by the owner of the vertex.
+   */
+  class NodeInsertion
+  {
+  public:
+    /** All must outlive this object. */
+    NodeInsertion(const Topology          &topology,
+                  const ReferenceCellData &reference,
+                  const InternalForce     &internal_force,
+                  const NodeStrengths     &strengths,
+                  CrackPlanes             &planes);
+
+    /** Faces to be cut now, ascending; their planes are known from here on. */
+    std::vector<FaceIndex>
+    take_due_faces();
+
+    /**
+     * Chooses among the candidates of the step before those that part, and
+     * finds the candidates of this one.
+     *
+     * @param hot_cells those of the forces of this step, ascending.
+     * @param[out] news for other ranks.
+     */
+    void
+    look(const State                  &state,
+         const std::vector<CellIndex> &hot_cells,
+         std::vector<CornerNews>      &news);
+
+    /** Takes in what other ranks have told. */
+    void
+    take_in(const std::vector<CornerNews> &news);
+
+  private:
+    /** A face to be cut, with the normal of its crack plane. */
+    struct DueFace
+    {
+      FaceIndex       face;
+      Vector3<double> plane;
+    };
+
+    /** Mean stress of the cells of a node, weighted by their volumes (O1). */
+    SymmetricTensor<double>
+    mean_stress(const State &state, const std::vector<CellIndex> &cells);
+
+    /** Finds the candidates among the nodes of hot cells at complete
+     * vertices. */
+    void
+    find_candidates(const State                  &state,
+                    const std::vector<CellIndex> &hot_cells);
+
+    /** Whether no node of the cells around has a larger demand. */
+    bool
+    is_largest(const CrackCandidate         &candidate,
+               const std::vector<CellIndex> &cells) const;
+
+    /** Whether a cut face ends at a node. */
+    bool
+    is_on_front(NodeIndex node, const std::vector<CellIndex> &cells) const;
+
+    /** Whether there is a cut face at one of the cells. */
+    bool
+    is_beside_crack(const std::vector<CellIndex> &cells) const;
+
+    /** The planes that a node may be cut along (O3). */
+    std::vector<Vector3<double>>
+    possible_planes(const CrackCandidate         &candidate,
+                    const std::vector<CellIndex> &cells) const;
+
+    /** The mean plane of the cracks around, if they are nearly parallel to one
+     * of two conjugate planes (O3a). */
+    std::optional<Vector3<double>>
+    plane_of_cracks_around(const CrackCandidate               &candidate,
+                           const std::vector<CellIndex>       &cells,
+                           const std::vector<Vector3<double>> &conjugate) const;
+
+    /** Has a candidate part, if its star can be cut. */
+    void
+    cut(const State                  &state,
+        const CrackCandidate         &candidate,
+        const std::vector<CellIndex> &cells,
+        std::vector<CornerNews>      &news);
+
+    /** Has a plane take part in (O3a) from the next step on. */
+    void
+    add_plane(VertexIndex vertex, const CrackPlanes::Part &part);
+
+    /** Tells others of a face that is to be cut. */
+    void
+    tell(FaceIndex                face,
+         VertexIndex              vertex,
+         const Vector3<double>   &plane,
+         std::vector<CornerNews> &news) const;
+
+    const Topology          &topology;
+    const ReferenceCellData &reference;
+    const NodeStrengths     &strengths;
+    CrackPlanes             &planes;
+    CellStresses             stresses;
+
+    /** A candidate as its neighbours know it; the name decides between equal
+     * demands. */
+    struct Demand
+    {
+      double demand, name;
+    };
+
+    /** Candidates of the last look, and for each corner of their cells their
+     * demands; those of other ranks, too. */
+    std::vector<CrackCandidate>               candidates;
+    std::unordered_map<std::uint64_t, Demand> demands;
+
+    /** What is cut at the start of the next step. */
+    std::vector<DueFace> due;
+
+    /** Planes that take part in (O3a) from the next step on. */
+    std::vector<std::pair<VertexIndex, CrackPlanes::Part>> due_planes;
+
+    /** Cells that have a cut face whose other cell is not here. */
+    std::vector<std::uint8_t> has_remote_cut;
+
+    /** Step from which a node that could not be cut is looked at again. */
+    std::unordered_map<NodeIndex, std::uint64_t> next_look;
+  };
+} // namespace rift
+
+#endif

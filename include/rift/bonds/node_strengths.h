@@ -1,0 +1,79 @@
+#ifndef rift_bonds_node_strengths_h
+#define rift_bonds_node_strengths_h
+
+#include <rift/base/communicator.h>
+#include <rift/bonds/weakest_planes.h>
+#include <rift/material/material_parameters.h>
+#include <rift/material/stress_bound.h>
+#include <rift/mesh/topology.h>
+
+#include <vector>
+
+namespace rift
+{
+  /**
+   * The strength of planes through nodes. Where cells of several materials meet
+   * at a vertex, the weakest value of each property counts; cells that cannot
+   * break do not count, and where there are no others, nodes never part.
+   */
+  class NodeStrengths
+  {
+  public:
+    /** @param topology must outlive this object.
+     * @param materials by material index. */
+    NodeStrengths(const Topology                        &topology,
+                  const std::vector<MaterialParameters> &materials);
+
+    /** Whether anything at a vertex can break. */
+    bool
+    is_breakable(const VertexIndex vertex) const
+    {
+      return group_of_vertex[vertex] != 0;
+    }
+
+    /** Whether a face can be cut: both of its cells are of breakable
+     * materials. */
+    bool
+    is_breakable_face(FaceIndex face) const;
+
+    /** Of a plane through a vertex that can break.
+     * @param normal in the undeformed body, of unit length. */
+    FaceStrength
+    strength(VertexIndex vertex, const Vector3<double> &normal) const;
+
+    /** The planes that break first at a vertex that can break. */
+    WeakestPlanes
+    weakest_planes(VertexIndex                    vertex,
+                   const SymmetricTensor<double> &stress) const;
+
+    /** For each cell the stress below which no plane through one of its vertices
+     * is at its strength; the same on all ranks. Collective. */
+    StressBounds
+    stress_bounds(const Communicator &communicator) const;
+
+  private:
+    /** Materials that meet at a vertex and can break. */
+    struct Group
+    {
+      std::vector<std::uint16_t> materials;
+
+      /** Where it does not depend on the direction. */
+      FaceStrength strength;
+      bool         is_directional;
+    };
+
+    static FaceStrength
+    weakest_across(const std::vector<MaterialParameters> &materials,
+                   const std::vector<std::uint16_t>      &members,
+                   const Vector3<double>                 &normal);
+
+    const Topology                       &topology;
+    const std::vector<MaterialParameters> materials;
+
+    /** The first is that of vertices where nothing breaks. */
+    std::vector<Group>         groups;
+    std::vector<std::uint16_t> group_of_vertex;
+  };
+} // namespace rift
+
+#endif

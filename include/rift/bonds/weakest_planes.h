@@ -1,0 +1,67 @@
+#ifndef rift_bonds_weakest_planes_h
+#define rift_bonds_weakest_planes_h
+
+#include <rift/material/elasticity.h>
+#include <rift/material/face_strength.h>
+
+#include <functional>
+#include <vector>
+
+namespace rift
+{
+  /** The strength of the plane of a normal, in the undeformed body. */
+  using StrengthAcross =
+    std::function<FaceStrength(const Vector3<double> &normal)>;
+
+  /** Normal traction, tension positive, and magnitude of the shear traction of
+   * a plane, Pa. */
+  struct PlaneTraction
+  {
+    /** Pa. */
+    double normal, shear;
+  };
+
+  /** The traction that a stress exerts on the plane of a unit normal, Pa. */
+  PlaneTraction
+  traction_on(const SymmetricTensor<double> &stress,
+              const Vector3<double>         &normal);
+
+  /**
+   * Demand of a plane: the largest of its tension and of its Mohr-Coulomb shear
+   * over the strengths (doc/theory.md, eq. O2). A plane breaks at 1. The line of
+   * friction goes on in tension, so that the stresses of a demand below 1 are
+   * a convex set.
+   */
+  double
+  demand_on(const PlaneTraction &traction, const FaceStrength &strength);
+
+  /** The planes that break first under a stress. */
+  struct WeakestPlanes
+  {
+    /** Largest demand of all planes. */
+    double demand;
+
+    /** Whether it is the shear that breaks them. */
+    bool by_shear;
+
+    /** Their unit normals: one in tension, two conjugate ones in shear, both of
+     * the same demand where strengths do not depend on the direction. */
+    std::vector<Vector3<double>> normals;
+  };
+
+  /**
+   * The weakest planes where all planes have the same strength: in closed form
+   * from the principal stresses (doc/theory.md, eq. O2).
+   */
+  WeakestPlanes
+  weakest_planes(const SymmetricTensor<double> &stress,
+                 const FaceStrength            &strength);
+
+  /** The same where the strength depends on the normal: the best of some
+   * hundred directions, improved by steps of bisection. */
+  WeakestPlanes
+  weakest_planes(const SymmetricTensor<double> &stress,
+                 const StrengthAcross          &strength_across);
+} // namespace rift
+
+#endif

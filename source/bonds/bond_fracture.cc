@@ -1,0 +1,203 @@
+#include <rift/bonds/bond_fracture.h>
+#include <rift/mesh/mesh_data.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rift
+{
+  BondFracture::BondFracture(Discretization &body,
+                             InternalForce  &internal_force,
+                             const std::vector<MaterialParameters> &materials)
+    : Fracture(body.topology)
+    , body(body)
+    , internal_force(internal_force)
+    , strengths(body.topology, materials)
+    , bonds(body.topology, body.reference, strengths, planes)
+    , insertion(body.topology,
+                body.reference,
+                internal_force,
+                strengths,
+                planes)
+  {
+  }
+
+  void
+  BondFracture::prepare(Discretization &body, const StepBound &)
+  {
+    bounds = strengths.stress_bounds(body.communicator);
+    internal_force.watch(bounds);
+  }
+
+  void
+  BondFracture::choose_cuts(const StepContext &, std::vector<FaceIndex> &faces)
+  {
+    faces = insertion.take_due_faces();
+  }
+
+  void
+  BondFracture::follow_cut(const StepContext    &step,
+                           const TopologyChange &change)
+  {
+    bonds.rebuild(body.state, change.splits, step.time_step);
+    for (const CrackFaces::Face &face : bonds.faces().faces)
+      {
+        FaceState &state = body.topology.face_states[face.index];
+        state            = std::max(state, FaceState::opening);
+      }
+  }
+
+  void
+  BondFracture::hold_partings(StepContext &step)
+  {
+    bonds.hold(body.state, step.time_step, step.prescribed_acceleration);
+    insertion.look(body.state, internal_force.hot_cells(), step.news);
+    tell_failed(step.news);
+  }
+
+  void
+  BondFracture::tell_failed(std::vector<CornerNews> &news) const
+  {
+    for (const VertexBonds::FanFace &failed : bonds.newly_failed())
+      {
+        const Face &face =
+          topology.faces[bonds.faces().faces[failed.face].index];
+        const unsigned int corner =
+          face_corners[face.local_faces[0]][failed.corner];
+        const VertexIndex vertex = topology.vertex(face.cells[0], corner);
+        for (unsigned int side = 0; side < 2; ++side)
+          news.push_back(
+            {face.cells[side],
+             static_cast<std::uint8_t>(
+               topology.corner_at_vertex(face.cells[side], vertex)),
+             face.local_faces[side],
+             CornerNews::Kind::failed,
+             {}});
+      }
+  }
+
+  void
+  BondFracture::fail_corner(const std::uint32_t place,
+                            const unsigned int  corner,
+                            const double        time)
+  {
+    constexpr std::uint8_t all  = 7;
+    CrackFaces::Face      &face = bonds.faces().faces[place];
+    if (face.failed == all)
+      return;
+    face.failed |= 1u << corner;
+    if (face.failed != all)
+      return;
+    face.failure_time = time;
+    FaceState &state  = body.topology.face_states[face.index];
+    state             = std::max(state, FaceState::failed);
+  }
+
+  void
+  BondFracture::after_drift(StepContext &step)
+  {
+    for (const VertexBonds::FanFace &failed : bonds.newly_failed())
+      fail_corner(failed.face, failed.corner, body.state.time);
+    for (const CornerNews &item : step.news)
+      if (item.kind == CornerNews::Kind::failed)
+        {
+          const FaceIndex index =
+            topology.cell_faces[item.cell][item.local_face];
+          if (index == invalid_index)
+            continue;
+          const Face &face   = topology.faces[index];
+          const auto  vertex = topology.vertex(item.cell, item.corner);
+          for (unsigned int c = 0; c < 3; ++c)
+            if (topology.vertex(face.cells[0],
+                                face_corners[face.local_faces[0]][c]) == vertex)
+              fail_corner(bonds.faces().add(index, body.state.time),
+                          c,
+                          body.state.time);
+        }
+    insertion.take_in(step.news);
+  }
+
+  void
+  BondFracture::account(const Discretization &, EnergyTable &energies) const
+  {
+    // All ranks must name them.
+    ExactSum &fracture = energies["fracture"];
+    for (const VertexBonds &group : bonds.vertices())
+      if (topology.owns_node(group.parts[0]))
+        for (const Bond &bond : group.bonds)
+          fracture.add(bond.energy.fracture);
+    ExactSum &friction = energies["friction"];
+    for (const VertexBonds &group : bonds.vertices())
+      if (topology.owns_node(group.parts[0]))
+        for (const Bond &bond : group.bonds)
+          friction.add(bond.energy.friction);
+    ExactSum &closing = energies["closing"];
+    for (const VertexBonds &group : bonds.vertices())
+      if (topology.owns_node(group.parts[0]))
+        for (const Bond &bond : group.bonds)
+          closing.add(bond.energy.closing);
+  }
+
+  std::optional<Fracture::OpenFace>
+  BondFracture::open_face(const std::size_t index) const
+  {
+    const CrackFaces::Face &face = bonds.faces().faces[index];
+    OpenFace                result{face.index, {}};
+    for (unsigned int side = 0; side < 2; ++side)
+      std::copy(face.nodes[side],
+                face.nodes[side] + 3,
+                result.nodes[side].begin());
+    return result;
+  }
+
+  std::vector<FaceMeans>
+  BondFracture::means(const State &state) const
+  {
+    const auto            &faces = bonds.faces().faces;
+    std::vector<FaceMeans> result(faces.size());
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      {
+        result[i].start_time   = faces[i].start_time;
+        result[i].failure_time = faces[i].failure_time;
+      }
+    // A corner that has not parted counts as intact.
+    constexpr double third = 1. / 3;
+    for (const VertexBonds &group : bonds.vertices())
+      for (const Bond &bond : group.bonds)
+        {
+          const Vector3<double> jump =
+            state.displacement[group.parts[bond.parts[1]]].vector() -
+            state.displacement[group.parts[bond.parts[0]]].vector();
+          for (std::uint32_t f = bond.fan_begin; f < bond.fan_end; ++f)
+            {
+              FaceMeans             &mean    = result[group.fan[f].face];
+              const Vector3<double> &m       = bond.plane;
+              const double           opening = dot(jump, m);
+              const auto             t       = BondLaw::split(bond.traction, m);
+              mean.damage += third * bond.memory.damage;
+              mean.opening += third * opening;
+              mean.slip += third * norm(jump - opening * m);
+              mean.normal += third * t.normal;
+              mean.shear += third * norm(t.shear);
+            }
+        }
+    return result;
+  }
+
+  void
+  BondFracture::save(const Discretization &, Archive &) const
+  {
+  }
+
+  void
+  BondFracture::load(const Discretization &, const Archive &)
+  {
+  }
+
+  void
+  BondFracture::count_items(const Topology &topology, WorkItems &items) const
+  {
+    for (const VertexBonds &group : bonds.vertices())
+      items[*topology.vertex_cells_first(group.vertex)] += group.bonds.size();
+  }
+} // namespace rift

@@ -1,0 +1,121 @@
+#include <rift/bonds/node_strengths.h>
+#include <rift/cohesive/face_strengths.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace rift
+{
+  FaceStrength
+  NodeStrengths::weakest_across(
+    const std::vector<MaterialParameters> &materials,
+    const std::vector<std::uint16_t>      &members,
+    const Vector3<double>                 &normal)
+  {
+    FaceStrength result = strength_across(materials[members[0]], normal);
+    for (std::size_t i = 1; i < members.size(); ++i)
+      result =
+        weaker_of(result, strength_across(materials[members[i]], normal));
+    return result;
+  }
+
+  NodeStrengths::NodeStrengths(const Topology                        &topology,
+                               const std::vector<MaterialParameters> &materials)
+    : topology(topology)
+    , materials(materials)
+    , groups(1)
+    , group_of_vertex(topology.n_vertices(), 0)
+  {
+    constexpr Vector3<double>                           any = {{1, 0, 0}};
+    std::map<std::vector<std::uint16_t>, std::uint16_t> known;
+    for (VertexIndex vertex = 0; vertex < topology.n_vertices(); ++vertex)
+      {
+        std::vector<std::uint16_t> members;
+        for (auto cell = topology.vertex_cells_first(vertex);
+             cell != topology.vertex_cells_last(vertex);
+             ++cell)
+          if (materials[topology.material(*cell)].breakable)
+            members.push_back(topology.material(*cell));
+        std::sort(members.begin(), members.end());
+        members.erase(std::unique(members.begin(), members.end()),
+                      members.end());
+        if (members.empty())
+          continue;
+        const auto [place, is_new] =
+          known.insert({members, static_cast<std::uint16_t>(groups.size())});
+        group_of_vertex[vertex] = place->second;
+        if (!is_new)
+          continue;
+        Group group{members, weakest_across(materials, members, any), false};
+        for (const std::uint16_t m : members)
+          group.is_directional |= materials[m].has_directional_strength();
+        groups.push_back(group);
+      }
+  }
+
+  bool
+  NodeStrengths::is_breakable_face(const FaceIndex face) const
+  {
+    const Face &f = topology.faces[face];
+    return materials[topology.material(f.cells[0])].breakable &&
+           materials[topology.material(f.cells[1])].breakable;
+  }
+
+  FaceStrength
+  NodeStrengths::strength(const VertexIndex      vertex,
+                          const Vector3<double> &normal) const
+  {
+    const Group &group = groups[group_of_vertex[vertex]];
+    return group.is_directional ?
+             weakest_across(materials, group.materials, normal) :
+             group.strength;
+  }
+
+  WeakestPlanes
+  NodeStrengths::weakest_planes(const VertexIndex              vertex,
+                                const SymmetricTensor<double> &stress) const
+  {
+    const Group &group = groups[group_of_vertex[vertex]];
+    if (!group.is_directional)
+      return rift::weakest_planes(stress, group.strength);
+    return rift::weakest_planes(stress, [&](const Vector3<double> &normal) {
+      return strength(vertex, normal);
+    });
+  }
+
+  StressBounds
+  NodeStrengths::stress_bounds(const Communicator &communicator) const
+  {
+    // The mean stress of the cells at a node is at the strength only if that of
+    // one of them is, since the stresses below it are a convex set.
+    constexpr double    margin  = .99;
+    constexpr double    largest = std::numeric_limits<double>::max();
+    const std::size_t   n       = materials.size();
+    std::vector<double> smallest(2 * n + 1, largest);
+    for (const Group &group : groups)
+      for (const std::uint16_t m : group.materials)
+        for (const std::uint16_t other : group.materials)
+          {
+            smallest[2 * m] =
+              std::min(smallest[2 * m],
+                       materials[other].tensile_strength.smallest());
+            smallest[2 * m + 1] =
+              std::min(smallest[2 * m + 1],
+                       materials[other].cohesion.smallest());
+            smallest[2 * n] =
+              std::min(smallest[2 * n],
+                       std::tan(materials[other].friction_angle));
+          }
+    for (double &value : smallest)
+      value = -communicator.max(-value);
+    StressBounds bounds{std::vector<std::optional<StressBound>>(n), {}};
+    for (std::size_t m = 0; m < n; ++m)
+      if (smallest[2 * m] < largest)
+        bounds.materials[m] = StressBound{margin * smallest[2 * m],
+                                          margin * smallest[2 * m + 1],
+                                          smallest[2 * n]};
+    return bounds;
+  }
+} // namespace rift

@@ -1,0 +1,141 @@
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <rift/bonds/weakest_planes.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rift
+{
+  PlaneTraction
+  traction_on(const SymmetricTensor<double> &stress,
+              const Vector3<double>         &normal)
+  {
+    Vector3<double> traction{};
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = 0; j < dim; ++j)
+        traction[i] += stress[voigt[i][j]] * normal[j];
+    const double along = dot(traction, normal);
+    return {along, norm(traction - along * normal)};
+  }
+
+  double
+  demand_on(const PlaneTraction &traction, const FaceStrength &strength)
+  {
+    return std::max(
+      traction.normal / strength.tensile_strength,
+      (traction.shear + traction.normal * strength.tan_friction_angle) /
+        strength.cohesion);
+  }
+
+  namespace
+  {
+    struct Principal
+    {
+      std::array<double, dim>          stresses;
+      std::array<Vector3<double>, dim> directions;
+    };
+
+    /** Principal stresses, the largest first, and their directions. */
+    Principal
+    principal(const SymmetricTensor<double> &stress)
+    {
+      dealii::SymmetricTensor<2, dim> tensor;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = i; j < dim; ++j)
+          tensor[i][j] = stress[voigt[i][j]];
+      const auto pairs =
+        dealii::eigenvectors(tensor,
+                             dealii::SymmetricTensorEigenvectorMethod::jacobi);
+      Principal result;
+      for (unsigned int k = 0; k < dim; ++k)
+        {
+          result.stresses[k] = pairs[k].first;
+          for (unsigned int d = 0; d < dim; ++d)
+            result.directions[k][d] = pairs[k].second[d];
+        }
+      return result;
+    }
+
+    /** Unit vectors that are spread evenly over half a sphere (a spiral of the
+     * golden section). */
+    std::vector<Vector3<double>>
+    spread_directions()
+    {
+      constexpr unsigned int       n      = 200;
+      const double                 golden = M_PI * (3 - std::sqrt(5.));
+      std::vector<Vector3<double>> result;
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const double z = (i + .5) / n, r = std::sqrt(1 - z * z);
+          result.push_back(
+            {{r * std::cos(golden * i), r * std::sin(golden * i), z}});
+        }
+      return result;
+    }
+  } // namespace
+
+  WeakestPlanes
+  weakest_planes(const SymmetricTensor<double> &stress,
+                 const FaceStrength            &strength)
+  {
+    const auto [s, e]    = principal(stress);
+    const double tan     = strength.tan_friction_angle;
+    const double tension = s[0] / strength.tensile_strength;
+    const double shear   = (.5 * (s[0] - s[2]) * std::sqrt(1 + tan * tan) +
+                          .5 * (s[0] + s[2]) * tan) /
+                         strength.cohesion;
+    if (tension >= shear)
+      return {tension, false, {e[0]}};
+    const double          angle = .25 * M_PI + .5 * std::atan(tan);
+    const Vector3<double> a     = std::sin(angle) * e[0];
+    const Vector3<double> b     = std::cos(angle) * e[2];
+    return {shear, true, {a + b, a - b}};
+  }
+
+  WeakestPlanes
+  weakest_planes(const SymmetricTensor<double> &stress,
+                 const StrengthAcross          &strength_across)
+  {
+    static const auto directions = spread_directions();
+    const auto        demand     = [&](const Vector3<double> &normal) {
+      return demand_on(traction_on(stress, normal), strength_across(normal));
+    };
+    double          best = -1;
+    Vector3<double> normal{};
+    for (const Vector3<double> &direction : directions)
+      if (const double d = demand(direction); d > best)
+        {
+          best   = d;
+          normal = direction;
+        }
+    // To the four sides, in steps that become smaller.
+    for (double step = .1; step > 1e-4;)
+      {
+        Vector3<double> a                   = {{0, 0, 0}};
+        a[std::abs(normal[0]) < .6 ? 0 : 1] = 1;
+        a                                   = cross(normal, a);
+        a                                   = (1 / norm(a)) * a;
+        const Vector3<double> b             = cross(normal, a);
+        bool                  is_better     = false;
+        for (const Vector3<double> &side : {a, b, -1. * a, -1. * b})
+          {
+            Vector3<double> next = normal + step * side;
+            next                 = (1 / norm(next)) * next;
+            if (const double d = demand(next); d > best)
+              {
+                best      = d;
+                normal    = next;
+                is_better = true;
+                break;
+              }
+          }
+        if (!is_better)
+          step *= .5;
+      }
+    const PlaneTraction traction = traction_on(stress, normal);
+    return {best,
+            traction.normal / strength_across(normal).tensile_strength < best,
+            {normal}};
+  }
+} // namespace rift
