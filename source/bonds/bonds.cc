@@ -14,44 +14,52 @@ namespace rift
      * folded. */
     constexpr double least_projection = .3;
 
-    /** Adds what a bond has used in half a step.
-     * @param velocity of the second node against the first, m/s. */
+    /** Steps after which normals are turned again: no body turns far within
+     * them. */
+    constexpr std::uint64_t steps_of_normal = 16;
+
+    /**
+     * Adds what a bond has used while its traction had a mean value.
+     *
+     * @param motion of the second node against the first, m.
+     */
     void
-    count_half_step(Bond                  &bond,
-                    const Vector3<double> &normal,
-                    const Vector3<double> &velocity,
-                    const double           time_step)
+    count(Bond                  &bond,
+          const Vector3<double> &mean_traction,
+          const Vector3<double> &motion)
     {
-      const BondLaw::Traction t        = BondLaw::split(bond.traction, normal);
-      const double            factor   = .5 * time_step * bond.area;
-      const double            work     = factor * dot(bond.traction, velocity);
-      double                  friction = 0, closing = 0;
+      const BondLaw::Traction t = BondLaw::split(mean_traction, bond.normal);
+      const double            work =
+        bond.area * dot(mean_traction, motion);
+      double friction = 0, closing = 0;
       if (t.normal < 0)
         {
-          const double along = dot(normal, velocity);
           const double shear = norm(t.shear);
-          closing            = factor * t.normal * along;
+          closing = bond.area * t.normal * dot(bond.normal, motion);
           if (shear > 0)
             friction = std::min(1.,
                                 -BondLaw::friction(bond.strength, bond.memory) *
                                   t.normal / shear) *
-                       std::max(0., factor * dot(t.shear, velocity));
+                       std::max(0., bond.area * dot(t.shear, motion));
         }
       bond.energy.friction += friction;
       bond.energy.closing += closing;
       bond.energy.fracture += work - friction - closing;
     }
 
-    /** The current normal of the crack plane: it turns with its faces. */
-    Vector3<double>
-    current_normal(const VertexBonds            &group,
-                   const Bond                   &bond,
-                   const std::vector<FaceFrame> &frames)
+    /** Whether a bond bears a traction. */
+    bool
+    bears(const Bond &bond, const Vector3<double> &traction)
     {
-      Vector3<double> sum = {{0, 0, 0}};
-      for (std::uint32_t i = bond.fan_begin; i < bond.fan_end; ++i)
-        sum += frames[group.fan[i].face].vector(group.fan[i].plane);
-      return (1 / norm(sum)) * sum;
+      const double limit  = bond.memory.softening + bond.memory.excess;
+      const double normal = dot(traction, bond.normal);
+      const double shear =
+        std::sqrt(std::max(0., dot(traction, traction) - normal * normal));
+      return BondLaw::demand(bond.strength,
+                             normal,
+                             shear,
+                             BondLaw::friction(bond.strength, bond.memory)) <=
+             limit;
     }
 
     Vector3<double>
@@ -129,11 +137,11 @@ namespace rift
         else
           for (Bond &bond : groups[place->second].bonds)
             {
-              const VertexBonds &group = groups[place->second];
-              count_half_step(bond,
-                              current_normal(group, bond, crack_faces.frames()),
-                              relative_velocity(group, bond, state),
-                              time_step);
+              count(bond,
+                    .5 * bond.traction,
+                    time_step * relative_velocity(groups[place->second],
+                                                  bond,
+                                                  state));
               bond.is_counted = true;
             }
         groups[place->second] =
@@ -153,6 +161,8 @@ namespace rift
     VertexBonds group{vertex,
                       is_on_surface(topology, vertex),
                       nodes_at(topology, vertex),
+                      {},
+                      {},
                       {},
                       {}};
     const auto  part_of = [&group](const NodeIndex node) {
@@ -201,6 +211,7 @@ namespace rift
           {
             bond          = *before;
             bond.plane    = sign * bond.plane;
+            bond.is_tied  = false;
             bond.traction = sign * bond.traction;
             if (std::find(has_passed_on_energy.begin(),
                           has_passed_on_energy.end(),
@@ -216,6 +227,8 @@ namespace rift
           bond.strength = strengths.strength(vertex, bond.plane);
         group.bonds.push_back(bond);
       }
+    set_laplacian(group);
+    update_normals(group, state);
     rift_check(
       old == nullptr ||
       std::all_of(old->bonds.begin(), old->bonds.end(), [&](const Bond &bond) {
@@ -271,29 +284,109 @@ namespace rift
   }
 
   void
-  Bonds::hold(State                        &state,
-              const double                  time_step,
-              const PrescribedAcceleration &prescribed)
+  Bonds::set_laplacian(VertexBonds &group)
   {
-    crack_faces.update_frames(state);
-    failed_corners.clear();
-    for (VertexBonds &group : groups)
+    const std::size_t n = group.parts.size();
+    group.root.resize(n);
+    for (std::uint32_t p = 0; p < n; ++p)
+      group.root[p] = p;
+    for (bool changes = true; changes;)
       {
-        prepare(group, state, time_step, prescribed);
-        solve(group, time_step);
-        finish(group, state, time_step);
+        changes = false;
+        for (const Bond &bond : group.bonds)
+          {
+            std::uint32_t &a = group.root[bond.parts[0]];
+            std::uint32_t &b = group.root[bond.parts[1]];
+            changes |= a != b;
+            a = b = std::min(a, b);
+          }
+      }
+    // Roots have a potential of zero: their rows are those of the unit matrix.
+    std::vector<double> matrix(n * n, 0);
+    for (std::uint32_t p = 0; p < n; ++p)
+      if (group.root[p] == p)
+        matrix[p * n + p] = 1;
+    for (const Bond &bond : group.bonds)
+      for (unsigned int side = 0; side < 2; ++side)
+        {
+          const std::uint32_t p = bond.parts[side], q = bond.parts[1 - side];
+          if (group.root[p] == p)
+            continue;
+          matrix[p * n + p] += bond.area;
+          if (group.root[q] != q)
+            matrix[p * n + q] -= bond.area;
+        }
+    // Gauss and Jordan: positive definite, no pivots are needed.
+    group.inverse.assign(n * n, 0);
+    for (std::uint32_t p = 0; p < n; ++p)
+      group.inverse[p * n + p] = 1;
+    for (std::size_t k = 0; k < n; ++k)
+      {
+        rift_check(matrix[k * n + k] > 0);
+        const double pivot = 1 / matrix[k * n + k];
+        for (std::size_t j = 0; j < n; ++j)
+          {
+            matrix[k * n + j] *= pivot;
+            group.inverse[k * n + j] *= pivot;
+          }
+        for (std::size_t i = 0; i < n; ++i)
+          if (const double factor = matrix[i * n + k]; i != k && factor != 0)
+            for (std::size_t j = 0; j < n; ++j)
+              {
+                matrix[i * n + j] -= factor * matrix[k * n + j];
+                group.inverse[i * n + j] -= factor * group.inverse[k * n + j];
+              }
       }
   }
 
   void
-  Bonds::prepare(VertexBonds                  &group,
-                 const State                  &state,
-                 const double                  time_step,
-                 const PrescribedAcceleration &prescribed)
+  Bonds::update_normals(VertexBonds &group, const State &state) const
   {
-    work.velocity.resize(group.parts.size());
-    work.inverse_mass.resize(group.parts.size());
-    for (std::size_t p = 0; p < group.parts.size(); ++p)
+    for (Bond &bond : group.bonds)
+      {
+        Vector3<double> sum = {{0, 0, 0}};
+        for (std::uint32_t i = bond.fan_begin; i < bond.fan_end; ++i)
+          sum += crack_faces.current_frame(state, group.fan[i].face)
+                   .vector(group.fan[i].plane);
+        bond.normal = (1 / norm(sum)) * sum;
+      }
+  }
+
+  void
+  Bonds::hold(State                        &state,
+              const double                  time_step,
+              const PrescribedAcceleration &prescribed)
+  {
+    failed_corners.clear();
+    for (VertexBonds &group : groups)
+      {
+        if (state.step % steps_of_normal == 0)
+          update_normals(group, state);
+        const bool is_moved = kick(group, state, time_step, prescribed);
+        work.before.resize(group.bonds.size());
+        for (std::size_t i = 0; i < group.bonds.size(); ++i)
+          work.before[i] = group.bonds[i].traction;
+        const bool is_tied = !is_moved && tie(group, state, time_step);
+        if (!is_tied)
+          {
+            prepare(group, state, time_step);
+            solve(group, time_step);
+          }
+        finish(group, state, time_step, is_tied);
+      }
+  }
+
+  bool
+  Bonds::kick(const VertexBonds            &group,
+              const State                  &state,
+              const double                  time_step,
+              const PrescribedAcceleration &prescribed)
+  {
+    const std::size_t n = group.parts.size();
+    work.velocity.resize(n);
+    work.inverse_mass.resize(n);
+    bool is_moved = false;
+    for (std::size_t p = 0; p < n; ++p)
       {
         const NodeIndex node    = group.parts[p];
         const double    inverse = 1 / state.mass[node];
@@ -308,30 +401,69 @@ namespace rift
               work.velocity[p][d] =
                 state.velocity[node][d] + time_step * *acceleration;
               work.inverse_mass[p][d] = 0;
+              is_moved                = true;
             }
       }
-    work.normal.resize(group.bonds.size());
+    return is_moved;
+  }
+
+  bool
+  Bonds::tie(VertexBonds &group, const State &state, const double time_step)
+  {
+    const std::size_t n = group.parts.size();
+    work.mass.assign(n, 0);
+    work.momentum.assign(n, {{0, 0, 0}});
+    for (std::size_t p = 0; p < n; ++p)
+      {
+        const double mass = state.mass[group.parts[p]];
+        work.mass[group.root[p]] += mass;
+        work.momentum[group.root[p]] += mass * work.velocity[p];
+      }
+    work.bond_force.resize(n);
+    work.potential.assign(n, {{0, 0, 0}});
+    for (std::size_t p = 0; p < n; ++p)
+      {
+        const std::uint32_t root = group.root[p];
+        work.bond_force[p] = (state.mass[group.parts[p]] / time_step) *
+                             ((1 / work.mass[root]) * work.momentum[root] -
+                              work.velocity[p]);
+      }
+    for (std::size_t p = 0; p < n; ++p)
+      if (group.root[p] != p)
+        for (std::size_t q = 0; q < n; ++q)
+          if (group.root[q] != q)
+            work.potential[p] += group.inverse[p * n + q] * work.bond_force[q];
+    for (const Bond &bond : group.bonds)
+      if (!bond.is_new && !bears(bond,
+                                 work.potential[bond.parts[0]] -
+                                   work.potential[bond.parts[1]]))
+        return false;
+    for (Bond &bond : group.bonds)
+      bond.traction =
+        work.potential[bond.parts[0]] - work.potential[bond.parts[1]];
+    return true;
+  }
+
+  void
+  Bonds::prepare(VertexBonds  &group,
+                 const State  &state,
+                 const double  time_step)
+  {
     work.stiffness.resize(group.bonds.size());
     work.gap.resize(group.bonds.size());
     for (std::size_t i = 0; i < group.bonds.size(); ++i)
       {
-        Bond &bond     = group.bonds[i];
-        work.normal[i] = current_normal(group, bond, crack_faces.frames());
-        if (!bond.is_counted && !bond.is_new)
-          count_half_step(bond,
-                          work.normal[i],
-                          relative_velocity(group, bond, state),
-                          time_step);
+        const Bond &bond  = group.bonds[i];
         const auto [a, b] = bond.parts;
         const Vector3<double> jump =
           state.displacement[group.parts[b]].vector() -
           state.displacement[group.parts[a]].vector();
-        work.gap[i] = std::max(0., dot(jump, work.normal[i]));
+        work.gap[i] = std::max(0., dot(jump, bond.normal));
         for (unsigned int d = 0; d < dim; ++d)
           {
-            const double mobility =
-              bond.area * time_step *
-              (work.inverse_mass[a][d] + work.inverse_mass[b][d]);
+            const double mobility = bond.area * time_step *
+                                    (work.inverse_mass[a][d] +
+                                     work.inverse_mass[b][d]);
             // Where both nodes are moved, nothing moves them but that.
             work.stiffness[i][d] = mobility > 0 ? 1 / mobility : 0;
           }
@@ -368,7 +500,7 @@ namespace rift
         for (std::size_t i = 0; i < group.bonds.size(); ++i)
           {
             Bond                  &bond   = group.bonds[i];
-            const Vector3<double> &normal = work.normal[i];
+            const Vector3<double> &normal = bond.normal;
             const Vector3<double>  relative =
               work.velocity[bond.parts[1]] - work.velocity[bond.parts[0]];
             Vector3<double> trial = bond.traction;
@@ -403,45 +535,59 @@ namespace rift
   }
 
   void
-  Bonds::finish(VertexBonds &group, State &state, const double time_step)
+  Bonds::finish(VertexBonds &group,
+                State       &state,
+                const double time_step,
+                const bool   is_tied)
   {
     for (std::size_t i = 0; i < group.bonds.size(); ++i)
       {
         Bond &bond        = group.bonds[i];
         const auto [a, b] = bond.parts;
-        const BondLaw::Traction t =
-          BondLaw::split(bond.traction, work.normal[i]);
         for (unsigned int d = 0; d < dim; ++d)
           {
             const double force = bond.area * bond.traction[d];
             state.force[group.parts[a]][d] += force;
             state.force[group.parts[b]][d] -= force;
           }
+        if (!bond.is_tied)
+          count(bond,
+                .5 * (bond.is_counted ? bond.traction :
+                                        bond.traction + work.before[i]),
+                time_step * relative_velocity(group, bond, state));
         if (bond.is_new)
-          bond.memory.excess =
-            std::max(0.,
-                     BondLaw::demand(bond.strength,
-                                     t.normal,
-                                     norm(t.shear),
-                                     bond.strength.tan_friction_angle) -
-                       1);
-        count_half_step(bond,
-                        work.normal[i],
-                        relative_velocity(group, bond, state),
-                        time_step);
+          {
+            const auto t       = BondLaw::split(bond.traction, bond.normal);
+            bond.memory.excess = std::max(
+              0.,
+              BondLaw::demand(bond.strength,
+                              t.normal,
+                              norm(t.shear),
+                              bond.strength.tan_friction_angle) -
+                1);
+          }
         bond.is_new = bond.is_counted = false;
-        const Vector3<double> motion =
-          time_step * (work.velocity[b] - work.velocity[a]);
-        const double opening = dot(motion, work.normal[i]);
-        const double before  = bond.memory.damage;
-        law.soften(bond.strength,
-                   bond.memory,
-                   t,
-                   opening,
-                   motion - opening * work.normal[i]);
-        if (bond.memory.damage >= 1 && before < 1)
-          for (std::uint32_t f = bond.fan_begin; f < bond.fan_end; ++f)
-            failed_corners.push_back(group.fan[f]);
+        bond.is_tied                  = is_tied;
+        if (!is_tied)
+          soften(group, bond, time_step);
       }
+  }
+
+  void
+  Bonds::soften(const VertexBonds &group, Bond &bond, const double time_step)
+  {
+    const Vector3<double> motion =
+      time_step *
+      (work.velocity[bond.parts[1]] - work.velocity[bond.parts[0]]);
+    const double opening = dot(motion, bond.normal);
+    const double before  = bond.memory.damage;
+    law.soften(bond.strength,
+               bond.memory,
+               BondLaw::split(bond.traction, bond.normal),
+               opening,
+               motion - opening * bond.normal);
+    if (bond.memory.damage >= 1 && before < 1)
+      for (std::uint32_t f = bond.fan_begin; f < bond.fan_end; ++f)
+        failed_corners.push_back(group.fan[f]);
   }
 } // namespace rift

@@ -78,19 +78,17 @@ namespace rift
       }
   }
 
-  void
-  CrackFaces::update_frames(const State &state)
+  FaceFrame
+  CrackFaces::current_frame(const State        &state,
+                            const std::uint32_t place) const
   {
-    current_frames.resize(faces.size());
-    for (std::size_t i = 0; i < faces.size(); ++i)
-      {
-        std::array<Vector3<double>, 3> corners;
-        for (unsigned int c = 0; c < 3; ++c)
-          corners[c] = state.reference[faces[i].nodes[0][c]].vector() +
-                       .5 * (state.displacement[faces[i].nodes[0][c]].vector() +
-                             state.displacement[faces[i].nodes[1][c]].vector());
-        current_frames[i] = frame_of(corners);
-      }
+    const Face                    &face = faces[place];
+    std::array<Vector3<double>, 3> corners;
+    for (unsigned int c = 0; c < 3; ++c)
+      corners[c] = state.reference[face.nodes[0][c]].vector() +
+                   .5 * (state.displacement[face.nodes[0][c]].vector() +
+                         state.displacement[face.nodes[1][c]].vector());
+    return frame_of(corners);
   }
 
   FaceFrame

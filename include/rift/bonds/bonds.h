@@ -32,9 +32,9 @@ namespace rift
     /** Its nodes among those of the vertex; the first has the smaller cell. */
     std::uint32_t parts[2];
 
-    /** Unit normal of the crack plane in the undeformed body, from the first
-     * node to the second, and projected area, m^2. */
-    Vector3<double> plane;
+    /** Unit normal of the crack plane, from the first node to the second, in
+     * the undeformed body and now; projected area, m^2. */
+    Vector3<double> plane, normal;
     double          area;
 
     /** Strength of the plane, and what is left of it. */
@@ -48,8 +48,9 @@ namespace rift
     BondEnergy energy;
 
     /** Whether it has yet to go through its first step, which sets its excess;
-     * whether its energy up to t_n is known already. */
-    bool is_new, is_counted;
+     * whether its energy up to t_n is known already; whether its nodes have
+     * moved as one since the last step. */
+    bool is_new, is_counted, is_tied;
 
     /** Its faces: a range of VertexBonds::fan. */
     std::uint32_t fan_begin, fan_end;
@@ -77,6 +78,12 @@ namespace rift
       Vector3<double> plane;
     };
     std::vector<FanFace> fan;
+
+    /** For each part the first of those that bonds connect it to; and for the
+     * others the inverse of the Laplacian of the bonds with their areas as
+     * weights, 1/m^2, row by row. */
+    std::vector<std::uint32_t> root;
+    std::vector<double>        inverse;
   };
 
   /** The bonds at all complete vertices. */
@@ -151,12 +158,17 @@ namespace rift
     /** Numbers of the solution at one vertex, kept to save allocations. */
     struct Work
     {
-      /** By part: velocity after the kick, and inverse mass by component. */
-      std::vector<Vector3<double>> velocity, inverse_mass;
+      /** By part: velocity after the kick, inverse mass by component, force that
+       * keeps it with the others, and potential of these forces. */
+      std::vector<Vector3<double>> velocity, inverse_mass, bond_force, potential;
 
-      /** By bond: current normal, traction by component that a relative velocity
-       * makes when it is stopped within a step, and opening. */
-      std::vector<Vector3<double>> normal, stiffness;
+      /** By part: sum of mass and of momentum over those with the same root. */
+      std::vector<double>          mass;
+      std::vector<Vector3<double>> momentum;
+
+      /** By bond: traction of the step before; traction by component that a
+       * relative velocity makes when it is stopped within a step; opening. */
+      std::vector<Vector3<double>> before, stiffness;
       std::vector<double>          gap;
     };
 
@@ -174,12 +186,34 @@ namespace rift
                  const std::vector<CutCorner> &corners,
                  const State                  &state);
 
-    /** Fills `work`, with the tractions of the last step. */
+    /** Finds the parts that bonds connect, and the inverse of their
+     * Laplacian. */
+    static void
+    set_laplacian(VertexBonds &group);
+
+    /** Turns the normals with the faces. */
     void
-    prepare(VertexBonds                  &group,
-            const State                  &state,
-            double                        time_step,
-            const PrescribedAcceleration &prescribed);
+    update_normals(VertexBonds &group, const State &state) const;
+
+    /** Velocities after the kick without bonds; whether a component is
+     * prescribed. */
+    bool
+    kick(const VertexBonds            &group,
+         const State                  &state,
+         double                        time_step,
+         const PrescribedAcceleration &prescribed);
+
+    /**
+     * Keeps all parts together, with the smallest mean square of traction.
+     *
+     * @return whether all bonds bear it; otherwise nothing has changed.
+     */
+    bool
+    tie(VertexBonds &group, const State &state, double time_step);
+
+    /** Prepares solve(), with the tractions of the last step. */
+    void
+    prepare(VertexBonds &group, const State &state, double time_step);
 
     /** Changes the velocities of the nodes of a bond by a traction. */
     void
@@ -191,7 +225,11 @@ namespace rift
 
     /** Adds the forces, and updates what the bonds remember. */
     void
-    finish(VertexBonds &group, State &state, double time_step);
+    finish(VertexBonds &group, State &state, double time_step, bool is_tied);
+
+    /** Damages a bond by the motion of its nodes. */
+    void
+    soften(const VertexBonds &group, Bond &bond, double time_step);
 
     const Topology          &topology;
     const ReferenceCellData &reference;

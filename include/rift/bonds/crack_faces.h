@@ -59,16 +59,9 @@ namespace rift
     void
     update_nodes(const std::vector<VertexIndex> &vertices);
 
-    /** Computes frames() of all faces: half-way between the two sides. */
-    void
-    update_frames(const State &state);
-
-    /** By place, as of the last update_frames(). */
-    const std::vector<FaceFrame> &
-    frames() const
-    {
-      return current_frames;
-    }
+    /** The frame of a face now: half-way between its two sides. */
+    FaceFrame
+    current_frame(const State &state, std::uint32_t place) const;
 
     /** The frame of a face in the undeformed body. */
     FaceFrame
@@ -86,7 +79,6 @@ namespace rift
     update_face(Face &face);
 
     const Topology                              &topology;
-    std::vector<FaceFrame>                       current_frames;
     std::unordered_map<FaceIndex, std::uint32_t> place_of_face;
   };
 } // namespace rift
