@@ -40,6 +40,7 @@ namespace rift
                            const TopologyChange &change)
   {
     bonds.rebuild(body.state, change.splits, step.time_step);
+    insertion.follow_cut(change.splits);
     for (const CrackFaces::Face &face : bonds.faces().faces)
       {
         FaceState &state = body.topology.face_states[face.index];

@@ -22,12 +22,6 @@ namespace rift
 
     /** Steps after which a node is tried again whose star could not be cut. */
     constexpr std::uint64_t steps_to_next_look = 50;
-
-    std::uint64_t
-    corner_key(const CellIndex cell, const unsigned int corner)
-    {
-      return std::uint64_t{n_corners} * cell + corner;
-    }
   } // namespace
 
   NodeInsertion::NodeInsertion(const Topology          &topology,
@@ -61,33 +55,52 @@ namespace rift
   }
 
   void
+  NodeInsertion::follow_cut(const std::vector<NodeSplit> &splits)
+  {
+    // The parts are known by what the node was.
+    for (const NodeSplit &split : splits)
+      if (split.parts[0] < demands.size() && demands[split.parts[0]] > 0)
+        for (std::size_t i = 1; i < split.parts.size(); ++i)
+          set_demand(split.parts[i], demands[split.parts[0]]);
+  }
+
+  void
+  NodeInsertion::set_demand(const NodeIndex node, const double demand)
+  {
+    if (demands.size() <= node)
+      demands.resize(topology.n_nodes(), 0);
+    demands[node] = demand;
+    with_demand.push_back(node);
+  }
+
+  void
   NodeInsertion::look(const State                  &state,
                       const std::vector<CellIndex> &hot_cells,
                       std::vector<CornerNews>      &news)
   {
+    demands.resize(topology.n_nodes(), 0);
+    next_look.resize(topology.n_nodes(), 0);
+    last_look.resize(topology.n_nodes(), invalid_index);
     for (const CrackCandidate &candidate : candidates)
       {
         const auto cells = cells_at_node(topology, candidate.node);
         // A cut of its neighbours may have changed it.
-        if (cells.size() == candidate.n_cells && is_largest(candidate, cells) &&
+        if (cells.size() == candidate.n_cells &&
+            is_largest(state, candidate, cells) &&
             (candidate.demand >= 1 + margin_beside_crack ||
              is_on_front(candidate.node, cells) || !is_beside_crack(cells)))
           cut(state, candidate, cells, news);
       }
     find_candidates(state, hot_cells);
     for (const CrackCandidate &candidate : candidates)
-      {
-        const VertexIndex vertex = topology.node_vertices[candidate.node];
-        if (!topology.owns_node(candidate.node))
-          continue;
-        for (const CellIndex cell : cells_at_node(topology, candidate.node))
-          news.push_back(
-            {cell,
-             static_cast<std::uint8_t>(topology.corner_at_vertex(cell, vertex)),
-             n_corners,
-             CornerNews::Kind::candidate,
-             {{candidate.demand, candidate.name, 0, 0}}});
-      }
+      if (topology.owns_node(candidate.node))
+        for (const auto &[cell, corner] :
+             cells_at_node(topology, candidate.node))
+          news.push_back({cell,
+                          corner,
+                          n_corners,
+                          CornerNews::Kind::candidate,
+                          {{candidate.demand, 0, 0, 0}}});
   }
 
   void
@@ -99,7 +112,7 @@ namespace rift
         switch (item.kind)
           {
           case CornerNews::Kind::candidate:
-            demands[corner_key(item.cell, item.corner)] = {v[0], v[1]};
+            set_demand(topology.node(item.cell, item.corner), v[0]);
             break;
           case CornerNews::Kind::cut:
             {
@@ -133,12 +146,12 @@ namespace rift
   }
 
   SymmetricTensor<double>
-  NodeInsertion::mean_stress(const State                  &state,
-                             const std::vector<CellIndex> &cells)
+  NodeInsertion::mean_stress(const State                 &state,
+                             const std::vector<StarCell> &cells)
   {
     SymmetricTensor<double> sum{};
     double                  volume = 0;
-    for (const CellIndex cell : cells)
+    for (const auto &[cell, corner] : cells)
       {
         const std::uint32_t batch = cell / batch_size, lane = cell % batch_size;
         const SymmetricTensor<Simd> &second =
@@ -158,70 +171,62 @@ namespace rift
                                  const std::vector<CellIndex> &hot_cells)
   {
     candidates.clear();
-    demands.clear();
-    std::vector<NodeIndex> nodes;
-    for (const CellIndex cell : hot_cells)
+    for (const NodeIndex node : with_demand)
+      demands[node] = 0;
+    with_demand.clear();
+    for (const CellIndex hot : hot_cells)
       for (unsigned int c = 0; c < n_corners; ++c)
         {
-          const NodeIndex   node   = topology.node(cell, c);
+          const NodeIndex   node   = topology.node(hot, c);
           const VertexIndex vertex = topology.node_vertices[node];
-          if (topology.is_complete(vertex) && strengths.is_breakable(vertex))
-            nodes.push_back(node);
+          if (last_look[node] == state.step || state.step < next_look[node] ||
+              !topology.is_complete(vertex) || !strengths.is_breakable(vertex))
+            continue;
+          last_look[node] = state.step;
+          cells_at_node(topology, node, star);
+          const auto   stress = mean_stress(state, star);
+          const double demand = strengths.largest_demand(vertex, stress);
+          if (demand >= 1 + margin_beside_crack ||
+              (demand >= 1 &&
+               (is_on_front(node, star) || !is_beside_crack(star))))
+            {
+              candidates.push_back({node, demand, star.size(), stress});
+              set_demand(node, demand);
+            }
         }
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    for (const NodeIndex node : nodes)
-      {
-        if (const auto next = next_look.find(node);
-            next != next_look.end() && state.step < next->second)
-          continue;
-        const auto cells  = cells_at_node(topology, node);
-        const auto stress = mean_stress(state, cells);
-        const auto weakest =
-          strengths.weakest_planes(topology.node_vertices[node], stress);
-        if (weakest.demand < 1 ||
-            (weakest.demand < 1 + margin_beside_crack &&
-             !is_on_front(node, cells) && is_beside_crack(cells)))
-          continue;
-        const VertexIndex vertex = topology.node_vertices[node];
-        const double name = 4. * topology.cell_global_indices[cells.front()] +
-                            topology.corner_at_vertex(cells.front(), vertex);
-        candidates.push_back(
-          {node, weakest.demand, cells.size(), name, stress});
-        for (const CellIndex cell : cells)
-          demands[corner_key(cell, topology.corner_at_vertex(cell, vertex))] = {
-            weakest.demand,
-            name};
-      }
     stresses.clear();
   }
 
   bool
-  NodeInsertion::is_largest(const CrackCandidate         &candidate,
-                            const std::vector<CellIndex> &cells) const
+  NodeInsertion::is_largest(const State                 &state,
+                            const CrackCandidate        &candidate,
+                            const std::vector<StarCell> &cells) const
   {
-    for (const CellIndex cell : cells)
+    const auto place = [&state](const NodeIndex node) {
+      return state.reference[node].vector();
+    };
+    for (const auto &[cell, corner] : cells)
       for (unsigned int c = 0; c < n_corners; ++c)
-        if (const auto other = demands.find(corner_key(cell, c));
-            other != demands.end() &&
-            (other->second.demand > candidate.demand ||
-             (other->second.demand == candidate.demand &&
-              other->second.name < candidate.name)))
-          return false;
+        {
+          const NodeIndex other = topology.node(cell, c);
+          if (demands[other] > candidate.demand ||
+              (demands[other] == candidate.demand &&
+               place(other) < place(candidate.node)))
+            return false;
+        }
     return true;
   }
 
   bool
-  NodeInsertion::is_on_front(const NodeIndex               node,
-                             const std::vector<CellIndex> &cells) const
+  NodeInsertion::is_on_front(const NodeIndex              node,
+                             const std::vector<StarCell> &cells) const
   {
     const VertexIndex vertex = topology.node_vertices[node];
-    for (const CellIndex cell : cells)
+    for (const auto &[cell, corner] : cells)
       for (unsigned int local = 0; local < n_corners; ++local)
         {
           const FaceIndex face = topology.cell_faces[cell][local];
-          if (face == invalid_index ||
-              local == topology.corner_at_vertex(cell, vertex) ||
+          if (face == invalid_index || local == corner ||
               topology.face_states[face] == FaceState::intact)
             continue;
           const CellIndex other = topology.neighbour(face, cell);
@@ -233,9 +238,9 @@ namespace rift
   }
 
   bool
-  NodeInsertion::is_beside_crack(const std::vector<CellIndex> &cells) const
+  NodeInsertion::is_beside_crack(const std::vector<StarCell> &cells) const
   {
-    for (const CellIndex cell : cells)
+    for (const auto &[cell, corner] : cells)
       {
         if (has_remote_cut[cell])
           return true;
@@ -249,7 +254,7 @@ namespace rift
 
   std::vector<Vector3<double>>
   NodeInsertion::possible_planes(const CrackCandidate         &candidate,
-                                 const std::vector<CellIndex> &cells) const
+                                 const std::vector<StarCell> &cells) const
   {
     const VertexIndex vertex = topology.node_vertices[candidate.node];
     const auto weakest = strengths.weakest_planes(vertex, candidate.stress);
@@ -262,12 +267,11 @@ namespace rift
       }
     // The planes of faces that end here.
     std::vector<Vector3<double>> of_cracks;
-    for (const CellIndex cell : cells)
+    for (const auto &[cell, corner] : cells)
       for (unsigned int local = 0; local < n_corners; ++local)
         {
           const FaceIndex face = topology.cell_faces[cell][local];
-          if (face == invalid_index ||
-              local == topology.corner_at_vertex(cell, vertex) ||
+          if (face == invalid_index || local == corner ||
               topology.face_states[face] == FaceState::intact ||
               topology.faces[face].cells[0] != cell)
             continue;
@@ -293,12 +297,12 @@ namespace rift
   std::optional<Vector3<double>>
   NodeInsertion::plane_of_cracks_around(
     const CrackCandidate               &candidate,
-    const std::vector<CellIndex>       &cells,
+    const std::vector<StarCell>        &cells,
     const std::vector<Vector3<double>> &conjugate) const
   {
     const VertexIndex        vertex = topology.node_vertices[candidate.node];
     std::vector<VertexIndex> around;
-    for (const CellIndex cell : cells)
+    for (const auto &[cell, corner] : cells)
       for (unsigned int c = 0; c < n_corners; ++c)
         {
           const VertexIndex v = topology.vertex(cell, c);
@@ -342,7 +346,7 @@ namespace rift
   void
   NodeInsertion::cut(const State                  &state,
                      const CrackCandidate         &candidate,
-                     const std::vector<CellIndex> &cells,
+                     const std::vector<StarCell>  &cells,
                      std::vector<CornerNews>      &news)
   {
     const VertexIndex      vertex = topology.node_vertices[candidate.node];
@@ -375,10 +379,10 @@ namespace rift
     const CrackPlanes::Part part = {plane, best->projected_area / 3};
     add_plane(vertex, part);
     if (topology.owns_node(candidate.node))
-      for (const CellIndex cell : cells)
+      for (const auto &[cell, corner] : cells)
         news.push_back(
           {cell,
-           static_cast<std::uint8_t>(topology.corner_at_vertex(cell, vertex)),
+           corner,
            n_corners,
            CornerNews::Kind::plane,
            {{plane[0], plane[1], plane[2], part.area}}});

@@ -6,17 +6,26 @@
 
 namespace rift
 {
-  std::vector<CellIndex>
+  void
+  cells_at_node(const Topology        &topology,
+                const NodeIndex        node,
+                std::vector<StarCell> &cells)
+  {
+    cells.clear();
+    const VertexIndex vertex = topology.node_vertices[node];
+    const CellIndex *const    first  = topology.vertex_cells_first(vertex);
+    const CellIndex *const    last   = topology.vertex_cells_last(vertex);
+    const std::uint8_t *const corner = topology.vertex_corners_first(vertex);
+    for (std::ptrdiff_t i = 0; i < last - first; ++i)
+      if (topology.node(first[i], corner[i]) == node)
+        cells.push_back({first[i], corner[i]});
+  }
+
+  std::vector<StarCell>
   cells_at_node(const Topology &topology, const NodeIndex node)
   {
-    std::vector<CellIndex> cells;
-    const VertexIndex      vertex = topology.node_vertices[node];
-    for (auto cell = topology.vertex_cells_first(vertex);
-         cell != topology.vertex_cells_last(vertex);
-         ++cell)
-      if (topology.node(*cell, topology.corner_at_vertex(*cell, vertex)) ==
-          node)
-        cells.push_back(*cell);
+    std::vector<StarCell> cells;
+    cells_at_node(topology, node, cells);
     return cells;
   }
 
@@ -51,8 +60,8 @@ namespace rift
     /** The star of a node and the sides of its cells. */
     struct Star
     {
-      std::vector<CellIndex> cells;
-      std::vector<Side>      sides;
+      std::vector<StarCell> cells;
+      std::vector<Side>     sides;
 
       /** Sum of the distances of the three other corners from the plane over
        * the longest edge. */
@@ -70,12 +79,10 @@ namespace rift
     place_cells(Star                  &star,
                 const Topology        &topology,
                 const State           &state,
-                const VertexIndex      vertex,
                 const Vector3<double> &normal)
     {
-      for (const CellIndex cell : star.cells)
+      for (const auto &[cell, here] : star.cells)
         {
-          const unsigned int    here = topology.corner_at_vertex(cell, vertex);
           const Vector3<double> origin =
             state.reference[topology.node(cell, here)].vector();
           double lowest = std::numeric_limits<double>::max(), highest = -lowest,
@@ -103,23 +110,25 @@ namespace rift
     find_links(Star                                 &star,
                const Topology                       &topology,
                const ReferenceCellData              &reference,
-               const VertexIndex                     vertex,
                const std::function<bool(FaceIndex)> &is_breakable)
     {
       for (unsigned int i = 0; i < star.cells.size(); ++i)
         for (unsigned int local = 0; local < n_corners; ++local)
           {
-            const CellIndex cell  = star.cells[i];
-            const FaceIndex index = topology.cell_faces[cell][local];
-            if (index == invalid_index ||
-                local == topology.corner_at_vertex(cell, vertex) ||
+            const auto [cell, here] = star.cells[i];
+            const FaceIndex index   = topology.cell_faces[cell][local];
+            if (index == invalid_index || local == here ||
                 topology.faces[index].cells[0] != cell)
               continue;
-            const auto other = std::lower_bound(star.cells.begin(),
-                                                star.cells.end(),
-                                                topology.faces[index].cells[1]);
-            if (other == star.cells.end() ||
-                *other != topology.faces[index].cells[1])
+            const CellIndex behind = topology.faces[index].cells[1];
+            const auto      other =
+              std::lower_bound(star.cells.begin(),
+                               star.cells.end(),
+                               behind,
+                               [](const StarCell &c, const CellIndex index) {
+                                 return c.cell < index;
+                               });
+            if (other == star.cells.end() || other->cell != behind)
               continue;
             const Vector3<double> area =
               reference_area_vector(reference, cell, local);
@@ -269,11 +278,10 @@ namespace rift
            const Vector3<double>                &normal,
            const std::function<bool(FaceIndex)> &is_breakable)
   {
-    const VertexIndex vertex = topology.node_vertices[node];
-    Star              star;
+    Star star;
     star.cells = cells_at_node(topology, node);
-    place_cells(star, topology, state, vertex, normal);
-    find_links(star, topology, reference, vertex, is_breakable);
+    place_cells(star, topology, state, normal);
+    find_links(star, topology, reference, is_breakable);
     const bool any_crack = carry_cracks_on(star, normal);
     if (any_crack ?
           !star.has(Side::above) || !star.has(Side::below) :

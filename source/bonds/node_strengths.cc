@@ -73,6 +73,16 @@ namespace rift
              group.strength;
   }
 
+  double
+  NodeStrengths::largest_demand(const VertexIndex              vertex,
+                                const SymmetricTensor<double> &stress) const
+  {
+    const Group &group = groups[group_of_vertex[vertex]];
+    return group.is_directional ?
+             weakest_planes(vertex, stress).demand :
+             rift::largest_demand(stress, group.strength);
+  }
+
   WeakestPlanes
   NodeStrengths::weakest_planes(const VertexIndex              vertex,
                                 const SymmetricTensor<double> &stress) const

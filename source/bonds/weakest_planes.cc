@@ -1,6 +1,7 @@
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <rift/bonds/weakest_planes.h>
+#include <rift/solid/principal_stresses.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,9 +31,26 @@ namespace rift
 
   namespace
   {
+    /** Largest demands of all planes. */
+    struct Demands
+    {
+      double tension, shear;
+    };
+
+    Demands
+    demands_of(const Vector3<double> &principal, const FaceStrength &strength)
+    {
+      const double tan    = strength.tan_friction_angle;
+      const double radius = .5 * (principal[0] - principal[2]);
+      const double centre = .5 * (principal[0] + principal[2]);
+      return {principal[0] / strength.tensile_strength,
+              (radius * std::sqrt(1 + tan * tan) + centre * tan) /
+                strength.cohesion};
+    }
+
     struct Principal
     {
-      std::array<double, dim>          stresses;
+      Vector3<double>                  stresses;
       std::array<Vector3<double>, dim> directions;
     };
 
@@ -75,22 +93,27 @@ namespace rift
     }
   } // namespace
 
+  double
+  largest_demand(const SymmetricTensor<double> &stress,
+                 const FaceStrength            &strength)
+  {
+    const Demands demands = demands_of(principal_stresses(stress), strength);
+    return std::max(demands.tension, demands.shear);
+  }
+
   WeakestPlanes
   weakest_planes(const SymmetricTensor<double> &stress,
                  const FaceStrength            &strength)
   {
-    const auto [s, e]    = principal(stress);
-    const double tan     = strength.tan_friction_angle;
-    const double tension = s[0] / strength.tensile_strength;
-    const double shear   = (.5 * (s[0] - s[2]) * std::sqrt(1 + tan * tan) +
-                          .5 * (s[0] + s[2]) * tan) /
-                         strength.cohesion;
-    if (tension >= shear)
-      return {tension, false, {e[0]}};
+    const auto [s, e]     = principal(stress);
+    const Demands demands = demands_of(s, strength);
+    if (demands.tension >= demands.shear)
+      return {demands.tension, false, {e[0]}};
+    const double tan = strength.tan_friction_angle;
     const double          angle = .25 * M_PI + .5 * std::atan(tan);
     const Vector3<double> a     = std::sin(angle) * e[0];
     const Vector3<double> b     = std::cos(angle) * e[2];
-    return {shear, true, {a + b, a - b}};
+    return {demands.shear, true, {a + b, a - b}};
   }
 
   WeakestPlanes

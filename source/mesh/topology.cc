@@ -192,12 +192,17 @@ namespace rift
       vertex_cells_begin[v + 1] += vertex_cells_begin[v];
 
     vertex_cells.resize(vertex_cells_begin.back());
+    vertex_corners.resize(vertex_cells_begin.back());
     std::vector<std::uint32_t> next(vertex_cells_begin.begin(),
                                     vertex_cells_begin.end() - 1);
     for (CellIndex cell = 0; cell < n_cell_slots(); ++cell)
       if (!is_padding(cell))
         for (unsigned int c = 0; c < n_corners; ++c)
-          vertex_cells[next[vertex(cell, c)]++] = cell;
+          {
+            const std::uint32_t place = next[vertex(cell, c)]++;
+            vertex_cells[place]       = cell;
+            vertex_corners[place]     = static_cast<std::uint8_t>(c);
+          }
 
     vertex_is_complete.assign(n_vertices, 0);
     for (CellIndex cell = 0; cell < n_cell_slots(); ++cell)

@@ -8,7 +8,6 @@
 #include <rift/solid/cell_stresses.h>
 
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 namespace rift
@@ -20,10 +19,8 @@ namespace rift
     NodeIndex node;
     double    demand;
 
-    /** Number of its cells, its name, and the mean second Piola-Kirchhoff
-     * stress of its cells, Pa. */
+    /** Number of its cells, and their mean second Piola-Kirchhoff stress, Pa. */
     std::size_t             n_cells;
-    double                  name;
     SymmetricTensor<double> stress;
   };
 
@@ -51,6 +48,10 @@ namespace rift
     std::vector<FaceIndex>
     take_due_faces();
 
+    /** Takes in that nodes have split. */
+    void
+    follow_cut(const std::vector<NodeSplit> &splits);
+
     /**
      * Chooses among the candidates of the step before those that part, and
      * finds the candidates of this one.
@@ -77,7 +78,11 @@ namespace rift
 
     /** Mean stress of the cells of a node, weighted by their volumes (O1). */
     SymmetricTensor<double>
-    mean_stress(const State &state, const std::vector<CellIndex> &cells);
+    mean_stress(const State &state, const std::vector<StarCell> &cells);
+
+    /** Has other nodes know the demand of one. */
+    void
+    set_demand(NodeIndex node, double demand);
 
     /** Finds the candidates among the nodes of hot cells at complete
      * vertices. */
@@ -85,36 +90,38 @@ namespace rift
     find_candidates(const State                  &state,
                     const std::vector<CellIndex> &hot_cells);
 
-    /** Whether no node of the cells around has a larger demand. */
+    /** Whether no node of the cells around has a larger demand; of equal ones
+     * the place in the undeformed body decides. */
     bool
-    is_largest(const CrackCandidate         &candidate,
-               const std::vector<CellIndex> &cells) const;
+    is_largest(const State                 &state,
+               const CrackCandidate        &candidate,
+               const std::vector<StarCell> &cells) const;
 
     /** Whether a cut face ends at a node. */
     bool
-    is_on_front(NodeIndex node, const std::vector<CellIndex> &cells) const;
+    is_on_front(NodeIndex node, const std::vector<StarCell> &cells) const;
 
     /** Whether there is a cut face at one of the cells. */
     bool
-    is_beside_crack(const std::vector<CellIndex> &cells) const;
+    is_beside_crack(const std::vector<StarCell> &cells) const;
 
     /** The planes that a node may be cut along (O3). */
     std::vector<Vector3<double>>
     possible_planes(const CrackCandidate         &candidate,
-                    const std::vector<CellIndex> &cells) const;
+                    const std::vector<StarCell> &cells) const;
 
     /** The mean plane of the cracks around, if they are nearly parallel to one
      * of two conjugate planes (O3a). */
     std::optional<Vector3<double>>
     plane_of_cracks_around(const CrackCandidate               &candidate,
-                           const std::vector<CellIndex>       &cells,
+                           const std::vector<StarCell>        &cells,
                            const std::vector<Vector3<double>> &conjugate) const;
 
     /** Has a candidate part, if its star can be cut. */
     void
     cut(const State                  &state,
         const CrackCandidate         &candidate,
-        const std::vector<CellIndex> &cells,
+        const std::vector<StarCell> &cells,
         std::vector<CornerNews>      &news);
 
     /** Has a plane take part in (O3a) from the next step on. */
@@ -134,17 +141,13 @@ namespace rift
     CrackPlanes             &planes;
     CellStresses             stresses;
 
-    /** A candidate as its neighbours know it; the name decides between equal
-     * demands. */
-    struct Demand
-    {
-      double demand, name;
-    };
+    /** Candidates of the last look. */
+    std::vector<CrackCandidate> candidates;
 
-    /** Candidates of the last look, and for each corner of their cells their
-     * demands; those of other ranks, too. */
-    std::vector<CrackCandidate>               candidates;
-    std::unordered_map<std::uint64_t, Demand> demands;
+    /** By node its demand at the last look, of the candidates of other ranks,
+     * too; and these nodes. */
+    std::vector<double>    demands;
+    std::vector<NodeIndex> with_demand;
 
     /** What is cut at the start of the next step. */
     std::vector<DueFace> due;
@@ -155,8 +158,12 @@ namespace rift
     /** Cells that have a cut face whose other cell is not here. */
     std::vector<std::uint8_t> has_remote_cut;
 
-    /** Step from which a node that could not be cut is looked at again. */
-    std::unordered_map<NodeIndex, std::uint64_t> next_look;
+    /** By node: step from which it is looked at again after it could not be
+     * cut, and the step in which it has been looked at last. */
+    std::vector<std::uint64_t> next_look, last_look;
+
+    /** Kept to save allocations. */
+    std::vector<StarCell> star;
   };
 } // namespace rift
 

@@ -11,9 +11,23 @@
 
 namespace rift
 {
+  /** A cell that uses a node, and its corner there. */
+  struct StarCell
+  {
+    /** Its index on this rank. */
+    CellIndex    cell;
+    std::uint8_t corner;
+  };
+
   /** The cells that use a node, in ascending order: the star of a node. */
-  std::vector<CellIndex>
+  std::vector<StarCell>
   cells_at_node(const Topology &topology, NodeIndex node);
+
+  /** The same into a list that keeps its memory. */
+  void
+  cells_at_node(const Topology        &topology,
+                NodeIndex              node,
+                std::vector<StarCell> &cells);
 
   /** How the star of a node is cut in two. */
   struct StarCut

@@ -41,6 +41,11 @@ namespace rift
     FaceStrength
     strength(VertexIndex vertex, const Vector3<double> &normal) const;
 
+    /** The largest demand of all planes through a vertex that can break. */
+    double
+    largest_demand(VertexIndex                    vertex,
+                   const SymmetricTensor<double> &stress) const;
+
     /** The planes that break first at a vertex that can break. */
     WeakestPlanes
     weakest_planes(VertexIndex                    vertex,

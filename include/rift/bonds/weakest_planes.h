@@ -49,6 +49,12 @@ namespace rift
     std::vector<Vector3<double>> normals;
   };
 
+  /** The largest demand of all planes, which have the same strength: from the
+   * principal stresses (doc/theory.md, eq. O2). */
+  double
+  largest_demand(const SymmetricTensor<double> &stress,
+                 const FaceStrength            &strength);
+
   /**
    * The weakest planes where all planes have the same strength: in closed form
    * from the principal stresses (doc/theory.md, eq. O2).

@@ -234,6 +234,13 @@ namespace rift
       return vertex_cells.data() + vertex_cells_begin[vertex + 1];
     }
 
+    /** The corners at which these cells have the vertex. */
+    const std::uint8_t *
+    vertex_corners_first(const VertexIndex vertex) const
+    {
+      return vertex_corners.data() + vertex_cells_begin[vertex];
+    }
+
     /** The slot of a cell given by its global index; invalid_index if none. */
     CellIndex
     find_cell(GlobalCellIndex global_index) const;
@@ -303,6 +310,7 @@ namespace rift
     std::vector<std::uint8_t>  vertex_is_complete;
     std::vector<std::uint32_t> vertex_cells_begin;
     std::vector<CellIndex>     vertex_cells;
+    std::vector<std::uint8_t>  vertex_corners;
   };
 } // namespace rift
 
