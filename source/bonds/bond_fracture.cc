@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace rift
 {
@@ -185,14 +186,67 @@ namespace rift
     return result;
   }
 
-  void
-  BondFracture::save(const Discretization &, Archive &) const
+  namespace
   {
+    struct CrackFaceRecord
+    {
+      FaceName face;
+
+      /** See CrackFaces::Face. */
+      std::uint64_t failed;
+      double        start_time, failure_time;
+    };
+  } // namespace
+
+  template <>
+  struct HasPlainBytes<CrackFaceRecord> : std::true_type
+  {
+    static_assert(sizeof(CrackFaceRecord) == 4 * 8);
+  };
+
+  void
+  BondFracture::save(const Discretization &body, Archive &archive) const
+  {
+    std::vector<CrackFaceRecord> faces;
+    for (const CrackFaces::Face &face : bonds.faces().faces)
+      if (topology.owns_face(face.index))
+        faces.push_back({topology.face_name(face.index),
+                         face.failed,
+                         face.start_time,
+                         face.failure_time});
+    archive.write_list("crack faces", faces);
+    archive.write_list("bonds", bonds.records());
+    planes.save(topology, body.state, archive);
+    insertion.save(body.state, archive);
   }
 
   void
-  BondFracture::load(const Discretization &, const Archive &)
+  BondFracture::load(const Discretization &body, const Archive &archive)
   {
+    planes.load(topology, body.state, archive);
+    // In the order in which they have begun to open.
+    auto faces = archive.read_list<CrackFaceRecord>("crack faces");
+    std::sort(faces.begin(),
+              faces.end(),
+              [](const CrackFaceRecord &a, const CrackFaceRecord &b) {
+                return std::make_tuple(a.start_time,
+                                       a.face.cell,
+                                       a.face.local_face) <
+                       std::make_tuple(b.start_time,
+                                       b.face.cell,
+                                       b.face.local_face);
+              });
+    for (const CrackFaceRecord &record : faces)
+      if (const FaceIndex index = topology.find_face(record.face);
+          index != invalid_index)
+        {
+          CrackFaces::Face &face =
+            bonds.faces().faces[bonds.faces().add(index, record.start_time)];
+          face.failed       = static_cast<std::uint8_t>(record.failed);
+          face.failure_time = record.failure_time;
+        }
+    bonds.restore(body.state, archive.read_list<BondRecord>("bonds"));
+    insertion.load(archive);
   }
 
   void

@@ -1,5 +1,6 @@
 #include <rift/base/check.h>
 #include <rift/bonds/bonds.h>
+#include <rift/bonds/node_star.h>
 #include <rift/mesh/mesh_data.h>
 
 #include <algorithm>
@@ -134,8 +135,7 @@ namespace rift
           {vertex, static_cast<std::uint32_t>(groups.size())});
         if (is_new)
           groups.emplace_back();
-        else
-          for (Bond &bond : groups[place->second].bonds)
+        for (Bond &bond : groups[place->second].bonds)
             {
               count(bond,
                     .5 * bond.traction,
@@ -144,19 +144,57 @@ namespace rift
                                                   state));
               bond.is_counted = true;
             }
+        const VertexBonds old = std::move(groups[place->second]);
         groups[place->second] =
-          make_group(state,
-                     vertex,
-                     splits,
-                     is_new ? nullptr : &groups[place->second]);
+          make_group(state, vertex, heritage(old, splits));
       }
   }
 
+  Bonds::Heritage
+  Bonds::heritage(const VertexBonds            &old,
+                  const std::vector<NodeSplit> &splits)
+  {
+    const auto former = [&splits](const NodeIndex node) {
+      for (const NodeSplit &split : splits)
+        if (std::find(split.parts.begin(), split.parts.end(), node) !=
+            split.parts.end())
+          return split.parts[0];
+      return node;
+    };
+    return [&old, former, has_passed_on_energy = std::vector<const Bond *>()](
+             const NodeIndex first,
+             const NodeIndex second) mutable -> std::optional<Bond> {
+      const NodeIndex a = former(first), b = former(second);
+      for (const Bond &bond : old.bonds)
+        {
+          const NodeIndex nodes[2] = {old.parts[bond.parts[0]],
+                                      old.parts[bond.parts[1]]};
+          const bool      is_same  = nodes[0] == a && nodes[1] == b;
+          if (!is_same && (nodes[0] != b || nodes[1] != a))
+            continue;
+          Bond child    = bond;
+          child.is_tied = false;
+          if (!is_same)
+            {
+              child.plane    = -1. * child.plane;
+              child.traction = -1. * child.traction;
+            }
+          // The first of several children has the energy.
+          if (std::find(has_passed_on_energy.begin(),
+                        has_passed_on_energy.end(),
+                        &bond) != has_passed_on_energy.end())
+            child.energy = {};
+          has_passed_on_energy.push_back(&bond);
+          return child;
+        }
+      return {};
+    };
+  }
+
   VertexBonds
-  Bonds::make_group(const State                  &state,
-                    const VertexIndex             vertex,
-                    const std::vector<NodeSplit> &splits,
-                    const VertexBonds            *old)
+  Bonds::make_group(const State      &state,
+                    const VertexIndex vertex,
+                    const Heritage   &before)
   {
     VertexBonds group{vertex,
                       is_on_surface(topology, vertex),
@@ -170,15 +208,6 @@ namespace rift
         std::find(group.parts.begin(), group.parts.end(), node) -
         group.parts.begin());
     };
-    const auto former = [&](const std::uint32_t part) {
-      for (const NodeSplit &split : splits)
-        if (std::find(split.parts.begin(),
-                      split.parts.end(),
-                      group.parts[part]) != split.parts.end())
-          return split.parts[0];
-      return group.parts[part];
-    };
-
     using Pair = std::pair<std::uint32_t, std::uint32_t>;
     std::map<Pair, std::vector<CutCorner>> between;
     for (const CutCorner &corner : cut_corners_at(topology, vertex))
@@ -188,54 +217,20 @@ namespace rift
                               b = part_of(corner.plus);
           between[{std::min(a, b), std::max(a, b)}].push_back(corner);
         }
-    std::vector<const Bond *> has_passed_on_energy;
     for (const auto &[pair, corners] : between)
       {
-        Bond            bond{};
-        const NodeIndex first  = former(pair.first),
-                        second = former(pair.second);
-        const Bond *before     = nullptr;
-        double      sign       = 1;
-        if (old != nullptr && first != second)
-          for (const Bond &candidate : old->bonds)
-            {
-              const NodeIndex a = old->parts[candidate.parts[0]],
-                              b = old->parts[candidate.parts[1]];
-              if ((a == first && b == second) || (a == second && b == first))
-                {
-                  before = &candidate;
-                  sign   = a == first ? 1 : -1;
-                }
-            }
-        if (before != nullptr)
-          {
-            bond          = *before;
-            bond.plane    = sign * bond.plane;
-            bond.is_tied  = false;
-            bond.traction = sign * bond.traction;
-            if (std::find(has_passed_on_energy.begin(),
-                          has_passed_on_energy.end(),
-                          before) != has_passed_on_energy.end())
-              bond.energy = {};
-            has_passed_on_energy.push_back(before);
-          }
+        const auto known =
+          before(group.parts[pair.first], group.parts[pair.second]);
+        Bond bond     = known.value_or(Bond());
         bond.parts[0] = pair.first;
         bond.parts[1] = pair.second;
-        bond.is_new   = before == nullptr;
+        bond.is_new   = !known;
         set_geometry(group, bond, corners, state);
-        if (bond.is_new)
-          bond.strength = strengths.strength(vertex, bond.plane);
+        bond.strength = strengths.strength(vertex, bond.plane);
         group.bonds.push_back(bond);
       }
     set_laplacian(group);
     update_normals(group, state);
-    rift_check(
-      old == nullptr ||
-      std::all_of(old->bonds.begin(), old->bonds.end(), [&](const Bond &bond) {
-        return std::find(has_passed_on_energy.begin(),
-                         has_passed_on_energy.end(),
-                         &bond) != has_passed_on_energy.end();
-      }));
     return group;
   }
 
@@ -281,6 +276,86 @@ namespace rift
                                         .components(bond.plane)});
       }
     bond.fan_end = static_cast<std::uint32_t>(group.fan.size());
+  }
+
+  std::vector<BondRecord>
+  Bonds::records() const
+  {
+    std::vector<BondRecord> result;
+    for (const VertexBonds &group : groups)
+      for (const Bond &bond : group.bonds)
+        if (topology.owns_node(group.parts[0]))
+          {
+            BondRecord record{};
+            for (unsigned int side = 0; side < 2; ++side)
+              {
+                const StarCell first =
+                  cells_at_node(topology, group.parts[bond.parts[side]])[0];
+                record.cells[side] = topology.cell_global_indices[first.cell];
+                record.corners[side] = first.corner;
+              }
+            record.is_tied  = bond.is_tied ? 1 : 0;
+            record.plane    = bond.plane;
+            record.normal   = bond.normal;
+            record.traction = bond.traction;
+            record.damage   = bond.memory.damage;
+            record.excess   = bond.memory.excess;
+            record.fracture = bond.energy.fracture;
+            record.friction = bond.energy.friction;
+            record.closing  = bond.energy.closing;
+            result.push_back(record);
+          }
+    return result;
+  }
+
+  void
+  Bonds::restore(const State &state, const std::vector<BondRecord> &records)
+  {
+    std::map<std::pair<NodeIndex, NodeIndex>, const BondRecord *> by_nodes;
+    std::vector<VertexIndex>                                      vertices;
+    for (const BondRecord &record : records)
+      {
+        const CellIndex a = topology.find_cell(record.cells[0]),
+                        b = topology.find_cell(record.cells[1]);
+        if (a == invalid_index || b == invalid_index)
+          continue;
+        const NodeIndex nodes[2] = {topology.node(a, record.corners[0]),
+                                    topology.node(b, record.corners[1])};
+        if (!topology.is_complete(topology.node_vertices[nodes[0]]))
+          continue;
+        by_nodes[{nodes[0], nodes[1]}] = &record;
+        vertices.push_back(topology.node_vertices[nodes[0]]);
+      }
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()),
+                   vertices.end());
+    for (const VertexIndex vertex : vertices)
+      {
+        group_of_vertex[vertex] = static_cast<std::uint32_t>(groups.size());
+        groups.push_back(make_group(
+          state,
+          vertex,
+          [&](const NodeIndex first,
+              const NodeIndex second) -> std::optional<Bond> {
+            const BondRecord &record = *by_nodes.at({first, second});
+            Bond              bond{};
+            bond.plane            = record.plane;
+            bond.traction         = record.traction;
+            bond.memory.damage    = record.damage;
+            bond.memory.excess    = record.excess;
+            bond.memory.softening = law.softening_at(record.damage);
+            bond.energy  = {record.fracture, record.friction, record.closing};
+            bond.is_tied = record.is_tied != 0;
+            return bond;
+          }));
+        // They are as of the step in which they were turned last.
+        VertexBonds &group = groups.back();
+        for (Bond &bond : group.bonds)
+          bond.normal = by_nodes
+                          .at({group.parts[bond.parts[0]],
+                               group.parts[bond.parts[1]]})
+                          ->normal;
+      }
   }
 
   void

@@ -34,7 +34,6 @@ namespace rift
     , strengths(strengths)
     , planes(planes)
     , stresses(topology, internal_force)
-    , has_remote_cut(topology.n_cell_slots(), 0)
   {
   }
 
@@ -93,14 +92,12 @@ namespace rift
       }
     find_candidates(state, hot_cells);
     for (const CrackCandidate &candidate : candidates)
-      if (topology.owns_node(candidate.node))
-        for (const auto &[cell, corner] :
-             cells_at_node(topology, candidate.node))
-          news.push_back({cell,
-                          corner,
-                          n_corners,
-                          CornerNews::Kind::candidate,
-                          {{candidate.demand, 0, 0, 0}}});
+      for (const auto &[cell, corner] : cells_at_node(topology, candidate.node))
+        news.push_back({cell,
+                        corner,
+                        n_corners,
+                        CornerNews::Kind::candidate,
+                        {{candidate.demand, 0, 0, 0}}});
   }
 
   void
@@ -121,7 +118,7 @@ namespace rift
               if (face != invalid_index)
                 due.push_back({face, {{v[0], v[1], v[2]}}});
               else
-                has_remote_cut[item.cell] = 1;
+                planes.beside_remote_cuts.insert(item.cell);
               break;
             }
           case CornerNews::Kind::plane:
@@ -242,7 +239,7 @@ namespace rift
   {
     for (const auto &[cell, corner] : cells)
       {
-        if (has_remote_cut[cell])
+        if (planes.beside_remote_cuts.count(cell) > 0)
           return true;
         for (const FaceIndex face : topology.cell_faces[cell])
           if (face != invalid_index &&
@@ -378,19 +375,16 @@ namespace rift
     next_look[candidate.node]    = state.step + 2;
     const CrackPlanes::Part part = {plane, best->projected_area / 3};
     add_plane(vertex, part);
-    if (topology.owns_node(candidate.node))
-      for (const auto &[cell, corner] : cells)
-        news.push_back(
-          {cell,
-           corner,
-           n_corners,
-           CornerNews::Kind::plane,
-           {{plane[0], plane[1], plane[2], part.area}}});
+    for (const auto &[cell, corner] : cells)
+      news.push_back({cell,
+                      corner,
+                      n_corners,
+                      CornerNews::Kind::plane,
+                      {{plane[0], plane[1], plane[2], part.area}}});
     for (const FaceIndex face : best->faces)
       {
         due.push_back({face, plane});
-        if (topology.owns_node(candidate.node))
-          tell(face, vertex, plane, news);
+        tell(face, vertex, plane, news);
       }
   }
 

@@ -140,6 +140,13 @@ namespace rift
       memory.softening = softening(memory.damage);
     }
 
+    /** f(D), as soften() computes it. */
+    double
+    softening_at(const double damage) const
+    {
+      return softening(damage);
+    }
+
   private:
     Softening softening;
   };

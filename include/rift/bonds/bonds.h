@@ -1,6 +1,7 @@
 #ifndef rift_bonds_bonds_h
 #define rift_bonds_bonds_h
 
+#include <rift/base/plain_bytes.h>
 #include <rift/bonds/bond_law.h>
 #include <rift/bonds/crack_faces.h>
 #include <rift/bonds/crack_planes.h>
@@ -9,6 +10,8 @@
 #include <rift/discretization/reference_cell_data.h>
 #include <rift/discretization/state.h>
 
+#include <functional>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -86,6 +89,27 @@ namespace rift
     std::vector<double>        inverse;
   };
 
+  /** A bond in a checkpoint. */
+  struct BondRecord
+  {
+    /** The first cell of its nodes, and their corners. */
+    GlobalCellIndex cells[2];
+    std::uint32_t   corners[2];
+
+    /** Bond::is_tied. */
+    std::uint64_t is_tied;
+
+    /** See Bond. */
+    Vector3<double> plane, normal, traction;
+    double          damage, excess, fracture, friction, closing;
+  };
+
+  template <>
+  struct HasPlainBytes<BondRecord> : std::true_type
+  {
+    static_assert(sizeof(BondRecord) == 3 * 8 + 14 * sizeof(double));
+  };
+
   /** The bonds at all complete vertices. */
   class Bonds
   {
@@ -104,6 +128,15 @@ namespace rift
     rebuild(const State                  &state,
             const std::vector<NodeSplit> &splits,
             double                        time_step);
+
+    /** What the bonds of owned vertices remember, for a checkpoint. */
+    std::vector<BondRecord>
+    records() const;
+
+    /** Goes on with the bonds of the records, of any ranks: the topology has
+     * been cut as it was. */
+    void
+    restore(const State &state, const std::vector<BondRecord> &records);
 
     /** Takes in which nodes the faces around these vertices have now. */
     void
@@ -172,12 +205,21 @@ namespace rift
       std::vector<double>          gap;
     };
 
+    /** The bond that there was between two nodes, from the first to the second;
+     * called once for each pair. */
+    using Heritage =
+      std::function<std::optional<Bond>(NodeIndex first, NodeIndex second)>;
+
+    /** What the bonds of a vertex leave to those between the parts of its
+     * nodes. `old` must outlive the result. */
+    static Heritage
+    heritage(const VertexBonds &old, const std::vector<NodeSplit> &splits);
+
     /** The bonds at a vertex as it is now. */
     VertexBonds
-    make_group(const State                  &state,
-               VertexIndex                   vertex,
-               const std::vector<NodeSplit> &splits,
-               const VertexBonds            *old);
+    make_group(const State      &state,
+               VertexIndex       vertex,
+               const Heritage   &before);
 
     /** Sets the area and the faces of a bond, and the plane of a new one. */
     void

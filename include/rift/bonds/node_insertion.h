@@ -31,8 +31,8 @@ namespace rift
    * those are chosen that part; their faces are cut at the start of step n + 2,
    * when all ranks know of them.
    *
-   * Every rank at which a vertex is complete decides the same there. The others
-   * are told by the owner of the vertex.
+   * Every rank at which a vertex is complete decides the same there, and tells
+   * those at which it is not.
    */
   class NodeInsertion
   {
@@ -63,6 +63,14 @@ namespace rift
     look(const State                  &state,
          const std::vector<CellIndex> &hot_cells,
          std::vector<CornerNews>      &news);
+
+    /** Writes what it needs to go on. */
+    void
+    save(const State &state, Archive &archive) const;
+
+    /** Goes on from there; the planes have been loaded. */
+    void
+    load(const Archive &archive);
 
     /** Takes in what other ranks have told. */
     void
@@ -154,9 +162,6 @@ namespace rift
 
     /** Planes that take part in (O3a) from the next step on. */
     std::vector<std::pair<VertexIndex, CrackPlanes::Part>> due_planes;
-
-    /** Cells that have a cut face whose other cell is not here. */
-    std::vector<std::uint8_t> has_remote_cut;
 
     /** By node: step from which it is looked at again after it could not be
      * cut, and the step in which it has been looked at last. */

@@ -69,7 +69,7 @@ namespace rift
      *
      * @param splits of this step at complete vertices.
      * @param openings of this step at complete vertices.
-     * @param news at complete vertices that this rank owns.
+     * @param news at complete vertices.
      */
     void
     send(const Topology                   &topology,
@@ -86,7 +86,7 @@ namespace rift
       std::vector<VertexIndex>   vertices;
       std::vector<OpeningCorner> openings;
 
-      /** What the owners of incomplete vertices tell. */
+      /** What others tell of incomplete vertices. */
       std::vector<CornerNews> news;
     };
 
