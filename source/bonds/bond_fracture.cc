@@ -117,6 +117,42 @@ namespace rift
                           body.state.time);
         }
     insertion.take_in(step.news);
+    if (contact_interval > 0 && body.state.step % contact_interval == 0)
+      {
+        release_faces();
+        bonds.release(body.state);
+      }
+  }
+
+  void
+  BondFracture::release_faces()
+  {
+    for (std::uint32_t i = 0; i < bonds.faces().faces.size(); ++i)
+      {
+        const CrackFaces::Face &face  = bonds.faces().faces[i];
+        FaceState              &state = body.topology.face_states[face.index];
+        if (state != FaceState::failed)
+          continue;
+        const FaceFrame frame = bonds.faces().current_frame(body.state, i);
+        const double    size =
+          std::sqrt(.5 * norm(cross(frame.edges[0], frame.edges[1])));
+        double largest_opening = 0, largest_slip = 0;
+        bool   is_open = true;
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            const Vector3<double> jump =
+              body.state.displacement[face.nodes[1][c]].vector() -
+              body.state.displacement[face.nodes[0][c]].vector();
+            const double opening = dot(jump, frame.normal);
+            is_open &= opening > 0;
+            largest_opening = std::max(largest_opening, opening);
+            largest_slip =
+              std::max(largest_slip, norm(jump - opening * frame.normal));
+          }
+        if ((is_open && largest_opening > contact_opening * size) ||
+            largest_slip > Bonds::slip_to_contact * size)
+          state = FaceState::released;
+      }
   }
 
   void
@@ -226,16 +262,13 @@ namespace rift
     planes.load(topology, body.state, archive);
     // In the order in which they have begun to open.
     auto faces = archive.read_list<CrackFaceRecord>("crack faces");
-    std::sort(faces.begin(),
-              faces.end(),
-              [](const CrackFaceRecord &a, const CrackFaceRecord &b) {
-                return std::make_tuple(a.start_time,
-                                       a.face.cell,
-                                       a.face.local_face) <
-                       std::make_tuple(b.start_time,
-                                       b.face.cell,
-                                       b.face.local_face);
-              });
+    std::sort(
+      faces.begin(),
+      faces.end(),
+      [](const CrackFaceRecord &a, const CrackFaceRecord &b) {
+        return std::make_tuple(a.start_time, a.face.cell, a.face.local_face) <
+               std::make_tuple(b.start_time, b.face.cell, b.face.local_face);
+      });
     for (const CrackFaceRecord &record : faces)
       if (const FaceIndex index = topology.find_face(record.face);
           index != invalid_index)

@@ -29,14 +29,13 @@ namespace rift
           const Vector3<double> &mean_traction,
           const Vector3<double> &motion)
     {
-      const BondLaw::Traction t = BondLaw::split(mean_traction, bond.normal);
-      const double            work =
-        bond.area * dot(mean_traction, motion);
-      double friction = 0, closing = 0;
+      const BondLaw::Traction t    = BondLaw::split(mean_traction, bond.normal);
+      const double            work = bond.area * dot(mean_traction, motion);
+      double                  friction = 0, closing = 0;
       if (t.normal < 0)
         {
           const double shear = norm(t.shear);
-          closing = bond.area * t.normal * dot(bond.normal, motion);
+          closing            = bond.area * t.normal * dot(bond.normal, motion);
           if (shear > 0)
             friction = std::min(1.,
                                 -BondLaw::friction(bond.strength, bond.memory) *
@@ -50,10 +49,14 @@ namespace rift
 
     /** Whether a bond bears a traction. */
     bool
-    bears(const Bond &bond, const Vector3<double> &traction)
+    bears(const Bond            &bond,
+          const Vector3<double> &traction,
+          const double           pressure_share)
     {
       const double limit  = bond.memory.softening + bond.memory.excess;
       const double normal = dot(traction, bond.normal);
+      if (normal < 0 && pressure_share < 1)
+        return false;
       const double shear =
         std::sqrt(std::max(0., dot(traction, traction) - normal * normal));
       return BondLaw::demand(bond.strength,
@@ -61,6 +64,14 @@ namespace rift
                              shear,
                              BondLaw::friction(bond.strength, bond.memory)) <=
              limit;
+    }
+
+    /** Displacement of the second node against the first, m. */
+    Vector3<double>
+    jump_of(const VertexBonds &group, const Bond &bond, const State &state)
+    {
+      return state.displacement[group.parts[bond.parts[1]]].vector() -
+             state.displacement[group.parts[bond.parts[0]]].vector();
     }
 
     Vector3<double>
@@ -136,14 +147,13 @@ namespace rift
         if (is_new)
           groups.emplace_back();
         for (Bond &bond : groups[place->second].bonds)
-            {
-              count(bond,
-                    .5 * bond.traction,
-                    time_step * relative_velocity(groups[place->second],
-                                                  bond,
-                                                  state));
-              bond.is_counted = true;
-            }
+          {
+            count(bond,
+                  .5 * bond.traction,
+                  time_step *
+                    relative_velocity(groups[place->second], bond, state));
+            bond.is_counted = true;
+          }
         const VertexBonds old = std::move(groups[place->second]);
         groups[place->second] =
           make_group(state, vertex, heritage(old, splits));
@@ -151,8 +161,7 @@ namespace rift
   }
 
   Bonds::Heritage
-  Bonds::heritage(const VertexBonds            &old,
-                  const std::vector<NodeSplit> &splits)
+  Bonds::heritage(const VertexBonds &old, const std::vector<NodeSplit> &splits)
   {
     const auto former = [&splits](const NodeIndex node) {
       for (const NodeSplit &split : splits)
@@ -276,6 +285,7 @@ namespace rift
                                         .components(bond.plane)});
       }
     bond.fan_end = static_cast<std::uint32_t>(group.fan.size());
+    bond.size    = std::sqrt(3 * area / static_cast<double>(corners.size()));
   }
 
   std::vector<BondRecord>
@@ -291,18 +301,19 @@ namespace rift
               {
                 const StarCell first =
                   cells_at_node(topology, group.parts[bond.parts[side]])[0];
-                record.cells[side] = topology.cell_global_indices[first.cell];
+                record.cells[side]   = topology.cell_global_indices[first.cell];
                 record.corners[side] = first.corner;
               }
-            record.is_tied  = bond.is_tied ? 1 : 0;
-            record.plane    = bond.plane;
-            record.normal   = bond.normal;
-            record.traction = bond.traction;
-            record.damage   = bond.memory.damage;
-            record.excess   = bond.memory.excess;
-            record.fracture = bond.energy.fracture;
-            record.friction = bond.energy.friction;
-            record.closing  = bond.energy.closing;
+            record.is_tied     = bond.is_tied ? 1 : 0;
+            record.is_released = bond.is_released ? 1 : 0;
+            record.plane       = bond.plane;
+            record.normal      = bond.normal;
+            record.traction    = bond.traction;
+            record.damage      = bond.memory.damage;
+            record.excess      = bond.memory.excess;
+            record.fracture    = bond.energy.fracture;
+            record.friction    = bond.energy.friction;
+            record.closing     = bond.energy.closing;
             result.push_back(record);
           }
     return result;
@@ -346,15 +357,16 @@ namespace rift
             bond.memory.softening = law.softening_at(record.damage);
             bond.energy  = {record.fracture, record.friction, record.closing};
             bond.is_tied = record.is_tied != 0;
+            bond.is_released = record.is_released != 0;
             return bond;
           }));
         // They are as of the step in which they were turned last.
         VertexBonds &group = groups.back();
         for (Bond &bond : group.bonds)
-          bond.normal = by_nodes
-                          .at({group.parts[bond.parts[0]],
-                               group.parts[bond.parts[1]]})
-                          ->normal;
+          bond.normal =
+            by_nodes
+              .at({group.parts[bond.parts[0]], group.parts[bond.parts[1]]})
+              ->normal;
       }
   }
 
@@ -370,6 +382,8 @@ namespace rift
         changes = false;
         for (const Bond &bond : group.bonds)
           {
+            if (bond.is_released)
+              continue;
             std::uint32_t &a = group.root[bond.parts[0]];
             std::uint32_t &b = group.root[bond.parts[1]];
             changes |= a != b;
@@ -382,7 +396,7 @@ namespace rift
       if (group.root[p] == p)
         matrix[p * n + p] = 1;
     for (const Bond &bond : group.bonds)
-      for (unsigned int side = 0; side < 2; ++side)
+      for (unsigned int side = 0; side < 2 && !bond.is_released; ++side)
         {
           const std::uint32_t p = bond.parts[side], q = bond.parts[1 - side];
           if (group.root[p] == p)
@@ -414,6 +428,50 @@ namespace rift
       }
   }
 
+  double
+  Bonds::pressure_share(const VertexBonds &group,
+                        const Bond        &bond,
+                        const State       &state) const
+  {
+    if (bond.memory.damage < 1)
+      return 1;
+    const Vector3<double> jump = jump_of(group, bond, state);
+    const double slip = norm(jump - dot(jump, bond.normal) * bond.normal);
+    return std::clamp(1 - (slip / bond.size - slip_to_contact) / slip_of_fading,
+                      0.,
+                      1.);
+  }
+
+  void
+  Bonds::release(const State &state)
+  {
+    for (VertexBonds &group : groups)
+      {
+        bool any = false;
+        for (Bond &bond : group.bonds)
+          {
+            if (bond.memory.damage < 1 || bond.is_released)
+              continue;
+            bool are_released = true;
+            for (std::uint32_t f = bond.fan_begin; f < bond.fan_end; ++f)
+              are_released &=
+                topology
+                  .face_states[crack_faces.faces[group.fan[f].face].index] ==
+                FaceState::released;
+            if (are_released &&
+                (dot(jump_of(group, bond, state), bond.normal) > 0 ||
+                 pressure_share(group, bond, state) == 0))
+              {
+                bond.is_released = true;
+                bond.traction    = {{0, 0, 0}};
+                any              = true;
+              }
+          }
+        if (any)
+          set_laplacian(group);
+      }
+  }
+
   void
   Bonds::update_normals(VertexBonds &group, const State &state) const
   {
@@ -439,8 +497,13 @@ namespace rift
           update_normals(group, state);
         const bool is_moved = kick(group, state, time_step, prescribed);
         work.before.resize(group.bonds.size());
+        work.pressure_share.resize(group.bonds.size());
         for (std::size_t i = 0; i < group.bonds.size(); ++i)
-          work.before[i] = group.bonds[i].traction;
+          {
+            work.before[i] = group.bonds[i].traction;
+            work.pressure_share[i] =
+              pressure_share(group, group.bonds[i], state);
+          }
         const bool is_tied = !is_moved && tie(group, state, time_step);
         if (!is_tied)
           {
@@ -499,46 +562,47 @@ namespace rift
     for (std::size_t p = 0; p < n; ++p)
       {
         const std::uint32_t root = group.root[p];
-        work.bond_force[p] = (state.mass[group.parts[p]] / time_step) *
-                             ((1 / work.mass[root]) * work.momentum[root] -
-                              work.velocity[p]);
+        work.bond_force[p] =
+          (state.mass[group.parts[p]] / time_step) *
+          ((1 / work.mass[root]) * work.momentum[root] - work.velocity[p]);
       }
     for (std::size_t p = 0; p < n; ++p)
       if (group.root[p] != p)
         for (std::size_t q = 0; q < n; ++q)
           if (group.root[q] != q)
             work.potential[p] += group.inverse[p * n + q] * work.bond_force[q];
-    for (const Bond &bond : group.bonds)
-      if (!bond.is_new && !bears(bond,
-                                 work.potential[bond.parts[0]] -
-                                   work.potential[bond.parts[1]]))
+    for (std::size_t i = 0; i < group.bonds.size(); ++i)
+      if (const Bond &bond = group.bonds[i];
+          !bond.is_new && !bond.is_released &&
+          !bears(bond,
+                 work.potential[bond.parts[0]] - work.potential[bond.parts[1]],
+                 work.pressure_share[i]))
         return false;
     for (Bond &bond : group.bonds)
-      bond.traction =
-        work.potential[bond.parts[0]] - work.potential[bond.parts[1]];
+      if (!bond.is_released)
+        bond.traction =
+          work.potential[bond.parts[0]] - work.potential[bond.parts[1]];
     return true;
   }
 
   void
-  Bonds::prepare(VertexBonds  &group,
-                 const State  &state,
-                 const double  time_step)
+  Bonds::prepare(VertexBonds &group, const State &state, const double time_step)
   {
     work.stiffness.resize(group.bonds.size());
     work.gap.resize(group.bonds.size());
     for (std::size_t i = 0; i < group.bonds.size(); ++i)
       {
-        const Bond &bond  = group.bonds[i];
+        const Bond &bond = group.bonds[i];
+        if (bond.is_released)
+          continue;
         const auto [a, b] = bond.parts;
-        const Vector3<double> jump =
-          state.displacement[group.parts[b]].vector() -
-          state.displacement[group.parts[a]].vector();
-        work.gap[i] = std::max(0., dot(jump, bond.normal));
+        work.gap[i] =
+          std::max(0., dot(jump_of(group, bond, state), bond.normal));
         for (unsigned int d = 0; d < dim; ++d)
           {
-            const double mobility = bond.area * time_step *
-                                    (work.inverse_mass[a][d] +
-                                     work.inverse_mass[b][d]);
+            const double mobility =
+              bond.area * time_step *
+              (work.inverse_mass[a][d] + work.inverse_mass[b][d]);
             // Where both nodes are moved, nothing moves them but that.
             work.stiffness[i][d] = mobility > 0 ? 1 / mobility : 0;
           }
@@ -574,7 +638,9 @@ namespace rift
         double change = 0, scale = 0;
         for (std::size_t i = 0; i < group.bonds.size(); ++i)
           {
-            Bond                  &bond   = group.bonds[i];
+            Bond &bond = group.bonds[i];
+            if (bond.is_released)
+              continue;
             const Vector3<double> &normal = bond.normal;
             const Vector3<double>  relative =
               work.velocity[bond.parts[1]] - work.velocity[bond.parts[0]];
@@ -587,7 +653,9 @@ namespace rift
               }
             if (!bond.is_new)
               {
-                const BondLaw::Traction parts = BondLaw::split(trial, normal);
+                BondLaw::Traction parts = BondLaw::split(trial, normal);
+                if (parts.normal < 0)
+                  parts.normal *= work.pressure_share[i];
                 const BondLaw::Traction borne =
                   BondLaw::bear(bond.strength,
                                 bond.memory,
@@ -617,7 +685,9 @@ namespace rift
   {
     for (std::size_t i = 0; i < group.bonds.size(); ++i)
       {
-        Bond &bond        = group.bonds[i];
+        Bond &bond = group.bonds[i];
+        if (bond.is_released)
+          continue;
         const auto [a, b] = bond.parts;
         for (unsigned int d = 0; d < dim; ++d)
           {
@@ -632,14 +702,14 @@ namespace rift
                 time_step * relative_velocity(group, bond, state));
         if (bond.is_new)
           {
-            const auto t       = BondLaw::split(bond.traction, bond.normal);
-            bond.memory.excess = std::max(
-              0.,
-              BondLaw::demand(bond.strength,
-                              t.normal,
-                              norm(t.shear),
-                              bond.strength.tan_friction_angle) -
-                1);
+            const auto t = BondLaw::split(bond.traction, bond.normal);
+            bond.memory.excess =
+              std::max(0.,
+                       BondLaw::demand(bond.strength,
+                                       t.normal,
+                                       norm(t.shear),
+                                       bond.strength.tan_friction_angle) -
+                         1);
           }
         bond.is_new = bond.is_counted = false;
         bond.is_tied                  = is_tied;
@@ -652,8 +722,7 @@ namespace rift
   Bonds::soften(const VertexBonds &group, Bond &bond, const double time_step)
   {
     const Vector3<double> motion =
-      time_step *
-      (work.velocity[bond.parts[1]] - work.velocity[bond.parts[0]]);
+      time_step * (work.velocity[bond.parts[1]] - work.velocity[bond.parts[0]]);
     const double opening = dot(motion, bond.normal);
     const double before  = bond.memory.damage;
     law.soften(bond.strength,

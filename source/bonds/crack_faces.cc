@@ -79,8 +79,7 @@ namespace rift
   }
 
   FaceFrame
-  CrackFaces::current_frame(const State        &state,
-                            const std::uint32_t place) const
+  CrackFaces::current_frame(const State &state, const std::uint32_t place) const
   {
     const Face                    &face = faces[place];
     std::array<Vector3<double>, 3> corners;

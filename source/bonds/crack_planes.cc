@@ -91,8 +91,7 @@ namespace rift
       if (const FaceIndex face = find(topology, record.face);
           face != invalid_index)
         of_faces[face] = record.normal;
-    auto vertices =
-      archive.read_list<VertexRecord>("crack planes at vertices");
+    auto vertices = archive.read_list<VertexRecord>("crack planes at vertices");
     std::sort(vertices.begin(),
               vertices.end(),
               [](const VertexRecord &a, const VertexRecord &b) {

@@ -250,7 +250,7 @@ namespace rift
   }
 
   std::vector<Vector3<double>>
-  NodeInsertion::possible_planes(const CrackCandidate         &candidate,
+  NodeInsertion::possible_planes(const CrackCandidate        &candidate,
                                  const std::vector<StarCell> &cells) const
   {
     const VertexIndex vertex = topology.node_vertices[candidate.node];
@@ -341,10 +341,10 @@ namespace rift
   }
 
   void
-  NodeInsertion::cut(const State                  &state,
-                     const CrackCandidate         &candidate,
-                     const std::vector<StarCell>  &cells,
-                     std::vector<CornerNews>      &news)
+  NodeInsertion::cut(const State                 &state,
+                     const CrackCandidate        &candidate,
+                     const std::vector<StarCell> &cells,
+                     std::vector<CornerNews>     &news)
   {
     const VertexIndex      vertex = topology.node_vertices[candidate.node];
     std::optional<StarCut> best;

@@ -106,11 +106,10 @@ namespace rift
         for (const CellIndex *cell = topology.vertex_cells_first(vertex);
              cell != topology.vertex_cells_last(vertex);
              ++cell)
-          of_planes.push_back(
-            {{topology.cell_global_indices[*cell],
-              topology.corner_at_vertex(*cell, vertex)},
-             part.normal,
-             part.area});
+          of_planes.push_back({{topology.cell_global_indices[*cell],
+                                topology.corner_at_vertex(*cell, vertex)},
+                               part.normal,
+                               part.area});
     archive.write_list("crack planes due", of_planes);
 
     std::vector<WaitRecord> of_waiting;

@@ -12,7 +12,7 @@ namespace rift
                 std::vector<StarCell> &cells)
   {
     cells.clear();
-    const VertexIndex vertex = topology.node_vertices[node];
+    const VertexIndex         vertex = topology.node_vertices[node];
     const CellIndex *const    first  = topology.vertex_cells_first(vertex);
     const CellIndex *const    last   = topology.vertex_cells_last(vertex);
     const std::uint8_t *const corner = topology.vertex_corners_first(vertex);

@@ -78,9 +78,8 @@ namespace rift
                                 const SymmetricTensor<double> &stress) const
   {
     const Group &group = groups[group_of_vertex[vertex]];
-    return group.is_directional ?
-             weakest_planes(vertex, stress).demand :
-             rift::largest_demand(stress, group.strength);
+    return group.is_directional ? weakest_planes(vertex, stress).demand :
+                                  rift::largest_demand(stress, group.strength);
   }
 
   WeakestPlanes

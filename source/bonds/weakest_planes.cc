@@ -109,7 +109,7 @@ namespace rift
     const Demands demands = demands_of(s, strength);
     if (demands.tension >= demands.shear)
       return {demands.tension, false, {e[0]}};
-    const double tan = strength.tan_friction_angle;
+    const double          tan   = strength.tan_friction_angle;
     const double          angle = .25 * M_PI + .5 * std::atan(tan);
     const Vector3<double> a     = std::sin(angle) * e[0];
     const Vector3<double> b     = std::cos(angle) * e[2];

@@ -96,6 +96,10 @@ namespace rift
     void
     fail_corner(std::uint32_t place, unsigned int corner, double time);
 
+    /** Leaves failed faces to contact that are open, or have slid far. */
+    void
+    release_faces();
+
     Discretization &body;
     InternalForce  &internal_force;
     NodeStrengths   strengths;

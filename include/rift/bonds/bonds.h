@@ -40,6 +40,9 @@ namespace rift
     Vector3<double> plane, normal;
     double          area;
 
+    /** Root of the mean area of its faces, m. */
+    double size;
+
     /** Strength of the plane, and what is left of it. */
     FaceStrength    strength;
     BondLaw::Memory memory;
@@ -54,6 +57,9 @@ namespace rift
      * whether its energy up to t_n is known already; whether its nodes have
      * moved as one since the last step. */
     bool is_new, is_counted, is_tied;
+
+    /** Whether contact has taken over all of its faces: it bears nothing. */
+    bool is_released;
 
     /** Its faces: a range of VertexBonds::fan. */
     std::uint32_t fan_begin, fan_end;
@@ -97,7 +103,7 @@ namespace rift
     std::uint32_t   corners[2];
 
     /** Bond::is_tied. */
-    std::uint64_t is_tied;
+    std::uint64_t is_tied, is_released;
 
     /** See Bond. */
     Vector3<double> plane, normal, traction;
@@ -107,7 +113,7 @@ namespace rift
   template <>
   struct HasPlainBytes<BondRecord> : std::true_type
   {
-    static_assert(sizeof(BondRecord) == 3 * 8 + 14 * sizeof(double));
+    static_assert(sizeof(BondRecord) == 4 * 8 + 14 * sizeof(double));
   };
 
   /** The bonds at all complete vertices. */
@@ -137,6 +143,18 @@ namespace rift
      * been cut as it was. */
     void
     restore(const State &state, const std::vector<BondRecord> &records);
+
+    /** Slip over the size of a face from which a failed bond leaves pressure to
+     * contact, and slip over which it does so. */
+    static constexpr double slip_to_contact = .1, slip_of_fading = .05;
+
+    /**
+     * Ends bonds all of whose faces have been released and that are open or have
+     * faded: contact acts in their place. To be called after faces have been
+     * released.
+     */
+    void
+    release(const State &state);
 
     /** Takes in which nodes the faces around these vertices have now. */
     void
@@ -193,16 +211,18 @@ namespace rift
     {
       /** By part: velocity after the kick, inverse mass by component, force that
        * keeps it with the others, and potential of these forces. */
-      std::vector<Vector3<double>> velocity, inverse_mass, bond_force, potential;
+      std::vector<Vector3<double>> velocity, inverse_mass, bond_force,
+        potential;
 
       /** By part: sum of mass and of momentum over those with the same root. */
       std::vector<double>          mass;
       std::vector<Vector3<double>> momentum;
 
       /** By bond: traction of the step before; traction by component that a
-       * relative velocity makes when it is stopped within a step; opening. */
+       * relative velocity makes when it is stopped within a step; opening; and
+       * the part of the pressure that it bears. */
       std::vector<Vector3<double>> before, stiffness;
-      std::vector<double>          gap;
+      std::vector<double>          gap, pressure_share;
     };
 
     /** The bond that there was between two nodes, from the first to the second;
@@ -217,9 +237,7 @@ namespace rift
 
     /** The bonds at a vertex as it is now. */
     VertexBonds
-    make_group(const State      &state,
-               VertexIndex       vertex,
-               const Heritage   &before);
+    make_group(const State &state, VertexIndex vertex, const Heritage &before);
 
     /** Sets the area and the faces of a bond, and the plane of a new one. */
     void
@@ -232,6 +250,13 @@ namespace rift
      * Laplacian. */
     static void
     set_laplacian(VertexBonds &group);
+
+    /** Part of the pressure that a bond bears: less than 1 once it has failed and
+     * slid so far that contact takes over. */
+    double
+    pressure_share(const VertexBonds &group,
+                   const Bond        &bond,
+                   const State       &state) const;
 
     /** Turns the normals with the faces. */
     void

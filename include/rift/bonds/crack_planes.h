@@ -44,15 +44,11 @@ namespace rift
 
     /** Writes those of the faces and vertices that this rank owns. */
     void
-    save(const Topology &topology,
-         const State    &state,
-         Archive        &archive) const;
+    save(const Topology &topology, const State &state, Archive &archive) const;
 
     /** Reads what ranks have saved. */
     void
-    load(const Topology &topology,
-         const State    &state,
-         const Archive  &archive);
+    load(const Topology &topology, const State &state, const Archive &archive);
   };
 } // namespace rift
 

@@ -115,7 +115,7 @@ namespace rift
 
     /** The planes that a node may be cut along (O3). */
     std::vector<Vector3<double>>
-    possible_planes(const CrackCandidate         &candidate,
+    possible_planes(const CrackCandidate        &candidate,
                     const std::vector<StarCell> &cells) const;
 
     /** The mean plane of the cracks around, if they are nearly parallel to one
@@ -127,10 +127,10 @@ namespace rift
 
     /** Has a candidate part, if its star can be cut. */
     void
-    cut(const State                  &state,
-        const CrackCandidate         &candidate,
+    cut(const State                 &state,
+        const CrackCandidate        &candidate,
         const std::vector<StarCell> &cells,
-        std::vector<CornerNews>      &news);
+        std::vector<CornerNews>     &news);
 
     /** Has a plane take part in (O3a) from the next step on. */
     void
