@@ -66,6 +66,7 @@ namespace rift
   {
     entries.clear();
     grids.clear();
+    n_boxes = 0;
   }
 
   BoxIndex::Grid &
@@ -106,6 +107,7 @@ namespace rift
         block.first.fill(invalid_index);
         block.n_boxes = 0;
       }
+    ++n_boxes;
     ++block.n_boxes;
     std::uint32_t &first = block.first[place_in_block(point)];
     entries[number]      = {box, level, first};
@@ -128,6 +130,7 @@ namespace rift
       link = &entries[*link].next;
     *link       = entry.next;
     entry.level = no_level;
+    --n_boxes;
     if (--block.n_boxes == 0)
       {
         grid.free_blocks.push_back(place->second);

@@ -2,6 +2,7 @@
 #include <rift/base/exceptions.h>
 #include <rift/base/parameter_text.h>
 #include <rift/contact/contact_force.h>
+#include <rift/contact/separation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -83,8 +84,8 @@ namespace rift
       news = surface.cells();
     if (!has_searched || state.step % look_interval == 0)
       {
-        const std::vector<CellIndex> let_go = surface.look(state, path);
-        news.insert(news.end(), let_go.begin(), let_go.end());
+        const std::vector<CellIndex> released = surface.look(state, path);
+        news.insert(news.end(), released.begin(), released.end());
       }
     for (const CellIndex cell : deep_cells)
       {
@@ -160,7 +161,7 @@ namespace rift
     members.receive();
     path += std::max(0., time_step * members.largest_told_speed() - move);
     if (members.have_stiffnesses_changed())
-      for (ContactPair &pair : in_play)
+      for (ContactPair &pair : active)
         pair.constants.penalty = penalty_of(pair.cells);
     start_pairs(state);
   }
@@ -168,8 +169,7 @@ namespace rift
   double
   ContactForce::penalty_of(const CellPair &cells) const
   {
-    return pair_penalty(members[cells.a].cell.stiffness,
-                        members[cells.b].cell.stiffness);
+    return pair_penalty(members[cells.a].stiffness, members[cells.b].stiffness);
   }
 
   void
@@ -269,7 +269,7 @@ namespace rift
     if (const auto positions = members.tidy(); !positions.empty())
       {
         sleeping.renumber(positions);
-        for (ContactPair &pair : in_play)
+        for (ContactPair &pair : active)
           pair.cells = {positions[pair.cells.a], positions[pair.cells.b]};
         for (CellPair &pair : born)
           pair = {positions[pair.a], positions[pair.b]};
@@ -292,8 +292,7 @@ namespace rift
   ContactForce::PairName
   ContactForce::name_of(const CellPair &cells) const
   {
-    return PairName(members[cells.a].cell.cell) << 32 |
-           members[cells.b].cell.cell;
+    return PairName(members[cells.a].cell) << 32 | members[cells.b].cell;
   }
 
   void
@@ -301,44 +300,44 @@ namespace rift
   {
     receive(state, time_step);
     wake_pairs(state);
-    for (const ContactPair &pair : in_play)
+    for (const ContactPair &pair : active)
       members.pack(state, pair.cells);
 
     energies.elastic = ExactSum();
-    overlaps.resize(in_play.size());
+    std::vector<SleepingPairs::Pair>               parted;
     std::array<PairForces, PairKernel::chunk_size> forces;
-    for (std::size_t begin = 0; begin < in_play.size();
+    for (std::size_t begin = 0; begin < active.size();
          begin += PairKernel::chunk_size)
       {
         const auto n = static_cast<unsigned int>(
-          std::min<std::size_t>(in_play.size() - begin,
-                                PairKernel::chunk_size));
+          std::min<std::size_t>(active.size() - begin, PairKernel::chunk_size));
         kernel.compute(members.motions(),
-                       in_play.data() + begin,
+                       active.data() + begin,
                        n,
                        time_step,
                        forces.data());
         for (unsigned int i = 0; i < n; ++i)
           {
-            const CellPair    &cells = in_play[begin + i].cells;
-            const PairForces  &f     = forces[i];
-            const ContactCell &a     = members[cells.a].cell;
-            overlaps[begin + i]      = f.overlaps;
+            const CellPair   &cells = active[begin + i].cells;
+            const PairForces &f     = forces[i];
             if (f.is_deep || f.is_too_deep)
               note_depth(cells, f, state);
-            if (a.owner == communicator.rank())
+            if (members[cells.a].owner == communicator.rank())
               {
                 energies.elastic.add(f.energy);
                 energies.friction.add(f.friction_loss);
                 energies.damping.add(f.damping_loss);
               }
             if (!f.overlaps)
-              continue;
+              {
+                parted.push_back({cells, no_axis});
+                continue;
+              }
             add_forces(cells.a, f.on_a, state, activity);
             add_forces(cells.b, f.on_b, state, activity);
           }
       }
-    release_parted();
+    put_parted_to_sleep(parted);
   }
 
   void
@@ -365,7 +364,7 @@ namespace rift
   ContactForce::count_pairs(const Topology             &topology,
                             std::vector<std::uint32_t> &n) const
   {
-    for (const ContactPair &pair : in_play)
+    for (const ContactPair &pair : active)
       if (const CellIndex a = members[pair.cells.a].local;
           a != invalid_index && topology.owns_cell(a))
         ++n[a];
@@ -375,9 +374,9 @@ namespace rift
   ContactForce::count_touching() const
   {
     std::int64_t number = 0;
-    for (const ContactPair &pair : in_play)
+    for (const ContactPair &pair : active)
       if (pair.memory.energy > 0 &&
-          members[pair.cells.a].cell.owner == communicator.rank())
+          members[pair.cells.a].owner == communicator.rank())
         ++number;
     return static_cast<std::uint64_t>(communicator.sum(number));
   }

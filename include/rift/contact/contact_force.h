@@ -49,10 +49,10 @@ namespace rift
    * own it is told by their owners.
    *
    * Partners are searched for of cells that have moved by their margin and,
-   * every `look_interval` steps, of those that cracks have let go of. A pair
-   * whose cells overlap already when a crack lets go of them starts without
-   * force and energy. Pairs that are apart sleep. Cells behind those that others
-   * lie deep in take part from the next step on.
+   * every `look_interval` steps, of those that cracks have released. Cells
+   * behind those that others lie deep in take part from the next step on. Cells
+   * that could not touch before may overlap already: such a pair starts without
+   * force and energy. All others start apart. Pairs that are apart sleep.
    */
   class ContactForce
   {
@@ -201,9 +201,9 @@ namespace rift
     void
     send(const State &state);
 
-    /** Waits for what others tell of their cells, gives the pairs in play the
-     * penalties of now, and birth to new pairs. Nothing but the first time after
-     * follow(). */
+    /** Waits for what others tell of their cells, gives the active pairs the
+     * penalties of now, and starts the pairs that have been found. Nothing but
+     * the first time after follow(). */
     void
     receive(const State &state, double time_step);
 
@@ -241,19 +241,19 @@ namespace rift
     void
     adopt(const ContactNeighbourhood &neighbourhood);
 
-    /** Gives birth to new pairs where the cells are now. */
+    /** Starts the pairs that have been found, where the cells are now. */
     void
     start_pairs(const State &state);
 
-    /** A pair in play, without memory. */
+    /** An active pair, without memory. */
     ContactPair
     make_pair(const CellPair &cells) const;
 
-    /** Puts pairs in play in their places. */
+    /** Makes pairs active. */
     void
     merge(std::vector<ContactPair> pairs);
 
-    /** Pairs that have woken sleep again or come into play. */
+    /** Pairs that have woken sleep again or become active. */
     void
     wake_pairs(const State &state);
 
@@ -262,9 +262,10 @@ namespace rift
     std::vector<CellPair>
     put_to_sleep(const std::vector<SleepingPairs::Pair> &pairs);
 
-    /** Pairs in play that do not overlap sleep again. */
+    /** Active pairs that do not overlap sleep again.
+     * @param parted such pairs, in the order of `active`. */
     void
-    release_parted();
+    put_parted_to_sleep(const std::vector<SleepingPairs::Pair> &parted);
 
     /** Keeps in mind that a pair lies in each other deep. */
     void
@@ -307,10 +308,8 @@ namespace rift
     SleepingPairs         sleeping;
     std::vector<CellPair> born;
 
-    /** Pairs that nothing parts, in the order of their names, and whether they
-     * overlap. */
-    std::vector<ContactPair>  in_play;
-    std::vector<std::uint8_t> overlaps;
+    /** Pairs that nothing parts, in the order of their names. */
+    std::vector<ContactPair> active;
 
     /** Cells of this rank and ghosts in which others lay deep at the last
      * add_to(), and pairs of this rank that have lain in each other too deep. */

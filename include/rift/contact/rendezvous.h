@@ -66,7 +66,7 @@ namespace rift
     divide(const std::vector<ContactCell> &own);
 
     /** Sends cells to the ranks whose space they are in, or have been in. */
-    std::vector<ContactSpace::Guest>
+    std::vector<ContactSpace::RemoteCell>
     send_to_space_owners(std::vector<ContactCell> news);
 
     /** Tells all ranks of the pairs that concern them. */
