@@ -39,17 +39,23 @@ namespace rift
       return largest;
     }
 
-
     /** No node here is faster, m/s: by the largest components of all. */
     double
-    bound_of_speeds(const State &state)
+    bound_of_speeds(const State &state, const Activity &activity)
     {
-      Row largest{};
-      for (const NodalVector &v : state.velocity)
-        {
-          const Row squares = v.row() * v.row();
-          largest           = largest > squares ? largest : squares;
-        }
+      constexpr std::size_t block_size = Activity::block_size;
+      const std::size_t     n_nodes    = state.n_nodes();
+      Row                   largest{};
+      for (std::size_t begin = 0; begin < n_nodes; begin += block_size)
+        if (activity.is_block_awake(begin / block_size))
+          for (std::size_t i = begin;
+               i < std::min(begin + block_size, n_nodes);
+               ++i)
+            {
+              const Row v       = state.velocity[i].row();
+              const Row squares = v * v;
+              largest           = largest > squares ? largest : squares;
+            }
       return std::sqrt(largest[0] + largest[1] + largest[2]);
     }
   } // namespace
@@ -74,10 +80,12 @@ namespace rift
   }
 
   void
-  ContactForce::follow(const State &state, const double time_step)
+  ContactForce::follow(const State    &state,
+                       const Activity &activity,
+                       const double    time_step)
   {
     last_time_step = time_step;
-    move           = time_step * bound_of_speeds(state);
+    move           = time_step * bound_of_speeds(state, activity);
     path += move;
     std::vector<CellIndex> news;
     if (!has_searched)

@@ -66,6 +66,7 @@ namespace
       , force(body.topology, communicator, interface(body))
       , activity(body.topology)
     {
+      activity.wake_all(body.topology);
     }
 
     void
@@ -73,7 +74,7 @@ namespace
     {
       ++body.state.step;
       place();
-      force.follow(body.state, 1);
+      force.follow(body.state, activity, 1);
       add_forces();
     }
 

@@ -120,7 +120,7 @@ namespace rift
      *   too fast to be found or too many cells lie at one place.
      */
     void
-    follow(const State &state, double time_step);
+    follow(const State &state, const Activity &activity, double time_step);
 
     /** Adds the forces at the positions of the last follow().
      * @param time_step that has led there, s; zero at the start. */
