@@ -48,8 +48,7 @@ namespace rift
       Row                   largest{};
       for (std::size_t begin = 0; begin < n_nodes; begin += block_size)
         if (activity.is_block_awake(begin / block_size))
-          for (std::size_t i = begin;
-               i < std::min(begin + block_size, n_nodes);
+          for (std::size_t i = begin; i < std::min(begin + block_size, n_nodes);
                ++i)
             {
               const Row v       = state.velocity[i].row();
@@ -87,26 +86,16 @@ namespace rift
     last_time_step = time_step;
     move           = time_step * bound_of_speeds(state, activity);
     path += move;
-    std::vector<CellIndex> news;
+    const std::vector<CellIndex> included = find_included(state);
+    std::vector<CellIndex>       news     = included;
     if (!has_searched)
       news = surface.cells();
-    if (!has_searched || state.step % look_interval == 0)
-      {
-        const std::vector<CellIndex> released = surface.look(state, path);
-        news.insert(news.end(), released.begin(), released.end());
-      }
-    for (const CellIndex cell : deep_cells)
-      {
-        const std::vector<CellIndex> behind = surface.include_behind(cell);
-        news.insert(news.end(), behind.begin(), behind.end());
-      }
-    deep_cells.clear();
     if (!(path + move < next_survey))
       add_moved(state, time_step, news);
     update_stiffnesses();
     double fastest = 0;
     if (communicator.any(!has_searched || !news.empty()))
-      fastest = search(state, time_step, std::move(news));
+      fastest = search(state, time_step, std::move(news), included);
     send(state);
     // The forces of the next step are still computed.
     if (fastest > 0)
@@ -117,6 +106,22 @@ namespace rift
           short_text(time_step * fastest) +
           " m or more than half of a cell in a step. It would pass through "
           "what it meets. Choose a smaller time step (subsection Time).");
+  }
+
+  std::vector<CellIndex>
+  ContactForce::find_included(const State &state)
+  {
+    std::vector<CellIndex> included;
+    if (!has_searched || state.step % look_interval == 0)
+      included = surface.look(state, path);
+    for (const CellIndex cell : deep_cells)
+      {
+        const std::vector<CellIndex> behind = surface.include_behind(cell);
+        included.insert(included.end(), behind.begin(), behind.end());
+      }
+    deep_cells.clear();
+    std::sort(included.begin(), included.end());
+    return included;
   }
 
   void
@@ -226,8 +231,9 @@ namespace rift
     ContactCell  result = surface.describe(state, cell, communicator.rank());
     const double move =
       time_step * largest_speed(motion_of(topology, state, cell));
-    result.constants = interface.cells[cell];
-    result.stiffness = interface.stiffnesses.of_cell(cell);
+    result.included_at = never_included;
+    result.constants   = interface.cells[cell];
+    result.stiffness   = interface.stiffnesses.of_cell(cell);
     result.margin =
       std::max(margin_per_size * longest_edge(result.positions), 2 * move);
     next_survey = std::min(next_survey, path + result.margin - move);
@@ -243,9 +249,10 @@ namespace rift
   }
 
   double
-  ContactForce::search(const State           &state,
-                       const double           time_step,
-                       std::vector<CellIndex> news)
+  ContactForce::search(const State                  &state,
+                       const double                  time_step,
+                       std::vector<CellIndex>        news,
+                       const std::vector<CellIndex> &included)
   {
     has_searched = true;
     if (rendezvous.needs_all())
@@ -255,32 +262,38 @@ namespace rift
     const double             fastest = fastest_of(state, time_step, news);
     std::vector<ContactCell> cells;
     for (const CellIndex cell : news)
-      cells.push_back(survey(state, time_step, cell));
-    adopt(rendezvous.update(std::move(cells)));
+      {
+        cells.push_back(survey(state, time_step, cell));
+        if (std::binary_search(included.begin(), included.end(), cell))
+          cells.back().included_at = state.step;
+      }
+    adopt(rendezvous.update(std::move(cells)), state.step);
     return fastest;
   }
 
   void
-  ContactForce::adopt(const ContactNeighbourhood &neighbourhood)
+  ContactForce::adopt(const ContactNeighbourhood &neighbourhood,
+                      const std::uint64_t         step)
   {
-    for (const CellPair &found : neighbourhood.pairs)
+    for (const CellPair &of_two : neighbourhood.pairs)
       {
-        const ContactCell &a = neighbourhood.cells[found.a],
-                          &b = neighbourhood.cells[found.b];
+        const ContactCell &a = neighbourhood.cells[of_two.a],
+                          &b = neighbourhood.cells[of_two.b];
         rift_check(a.cell < b.cell && a.owner >= 0 && b.owner >= 0);
         const CellPair pair = {take_in(a), take_in(b)};
         rift_check(members[pair.a].local != invalid_index ||
                    members[pair.b].local != invalid_index);
         if (members.connect(pair))
-          born.push_back(pair);
+          found.push_back(
+            {pair, a.included_at == step || b.included_at == step});
       }
     if (const auto positions = members.tidy(); !positions.empty())
       {
         sleeping.renumber(positions);
         for (ContactPair &pair : active)
           pair.cells = {positions[pair.cells.a], positions[pair.cells.b]};
-        for (CellPair &pair : born)
-          pair = {positions[pair.a], positions[pair.b]};
+        for (FoundPair &pair : found)
+          pair.cells = {positions[pair.cells.a], positions[pair.cells.b]};
       }
     members.subscribe();
   }

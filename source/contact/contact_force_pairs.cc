@@ -48,16 +48,20 @@ namespace rift
   void
   ContactForce::start_pairs(const State &state)
   {
-    std::vector<SleepingPairs::Pair> pairs;
-    for (const CellPair &pair : born)
+    // Of those that could touch before, and those that could not.
+    std::vector<SleepingPairs::Pair> meeting, released;
+    for (const FoundPair &pair : found)
       {
-        members.pack(state, pair);
-        pairs.push_back({pair, no_axis});
+        members.pack(state, pair.cells);
+        (pair.may_overlap ? released : meeting)
+          .push_back({pair.cells, no_axis});
       }
-    born.clear();
-    const std::vector<CellPair>   near  = put_to_sleep(pairs);
+    found.clear();
+    std::vector<ContactPair> new_pairs;
+    for (const CellPair &pair : put_to_sleep(meeting))
+      new_pairs.push_back(make_pair(pair));
+    const std::vector<CellPair>   near  = put_to_sleep(released);
     const std::vector<CommonPart> parts = common_parts(members.motions(), near);
-    std::vector<ContactPair>      new_pairs;
     for (std::size_t i = 0; i < near.size(); ++i)
       {
         new_pairs.push_back(make_pair(near[i]));

@@ -156,11 +156,11 @@ namespace rift
       }
     archive.write_list("contact: pairs", records);
     std::vector<GlobalCellIndex> names;
-    for (const CellPair &pair : born)
-      if (members[pair.a].owner == communicator.rank())
-        for (const std::uint32_t member : {pair.a, pair.b})
+    for (const auto &[cells, may_overlap] : found)
+      if (may_overlap && members[cells.a].owner == communicator.rank())
+        for (const std::uint32_t member : {cells.a, cells.b})
           names.push_back(members[member].cell);
-    archive.write_list("contact: new pairs", names);
+    archive.write_list("contact: pairs that may overlap", names);
     archive.write_value("contact: time step", last_time_step);
     surface.save(archive);
     std::vector<DeepRecord> deep;
@@ -190,7 +190,8 @@ namespace rift
     // Pairs may have parted, or may meet, by the way of a step.
     search(state,
            archive.read_value<double>("contact: time step"),
-           surface.cells());
+           surface.cells(),
+           {});
 
     std::unordered_map<PairName, ContactMemory> memories;
     for (const PairRecord &record :
@@ -202,29 +203,28 @@ namespace rift
         record.damping_force,
         record.penalty,
         record.energy};
-    std::set<PairName> are_new;
-    const auto names = archive.read_list<GlobalCellIndex>("contact: new pairs");
+    std::set<PairName> may_overlap;
+    const auto         names =
+      archive.read_list<GlobalCellIndex>("contact: pairs that may overlap");
     for (std::size_t i = 0; i < names.size(); i += 2)
-      are_new.insert(PairName(names[i]) << 32 | names[i + 1]);
+      may_overlap.insert(PairName(names[i]) << 32 | names[i + 1]);
     // Some have parted since their forces were computed last, others have met.
     std::vector<ContactPair> restored;
-    std::vector<CellPair>    others;
-    for (const CellPair &cells : born)
-      if (const auto memory = memories.find(name_of(cells));
-          memory != memories.end())
-        {
-          restored.push_back(make_pair(cells));
-          restored.back().memory = memory->second;
-        }
-      else
-        others.push_back(cells);
-    born = std::move(others);
+    std::vector<FoundPair>   others;
+    for (const FoundPair &pair : found)
+      {
+        const PairName name = name_of(pair.cells);
+        if (const auto memory = memories.find(name); memory != memories.end())
+          {
+            restored.push_back(make_pair(pair.cells));
+            restored.back().memory = memory->second;
+          }
+        else
+          others.push_back({pair.cells, may_overlap.count(name) > 0});
+      }
+    found = std::move(others);
     merge(std::move(restored));
     send(state);
     receive(state, 0);
-    for (ContactPair &pair : active)
-      if (const PairName name = name_of(pair.cells);
-          memories.count(name) == 0 && are_new.count(name) == 0)
-        pair.memory = {};
   }
 } // namespace rift

@@ -189,6 +189,16 @@ namespace rift
       ContactStiffness stiffness;
     };
 
+    /** A pair that has been found and has not been computed yet. */
+    struct FoundPair
+    {
+      CellPair cells;
+
+      /** Whether one of them could not touch the other before, so that what
+       * they have in common is an initial overlap (eq. 26). */
+      bool may_overlap;
+    };
+
     PairName
     name_of(const CellPair &cells) const;
 
@@ -220,10 +230,19 @@ namespace rift
               double                  time_step,
               std::vector<CellIndex> &news);
 
+    /** Own cells that may touch others now that they could not touch before;
+     * ascending. */
+    std::vector<CellIndex>
+    find_included(const State &state);
+
     /** Tells other ranks of own cells, and takes in the new pairs.
+     * @param included those of them that find_included() has found.
      * @return see fastest_of(). */
     double
-    search(const State &state, double time_step, std::vector<CellIndex> news);
+    search(const State                  &state,
+           double                        time_step,
+           std::vector<CellIndex>        news,
+           const std::vector<CellIndex> &included);
 
     /** The speed of the fastest of those cells, of any rank, that move by more
      * than half of their size in a step, m/s; 0: none. Collective. */
@@ -239,7 +258,7 @@ namespace rift
     /** Makes pairs of those that are new, and forgets members without pairs.
      */
     void
-    adopt(const ContactNeighbourhood &neighbourhood);
+    adopt(const ContactNeighbourhood &neighbourhood, std::uint64_t step);
 
     /** Starts the pairs that have been found, where the cells are now. */
     void
@@ -304,9 +323,9 @@ namespace rift
     /** Of the last follow(), s. */
     double last_time_step = 0;
 
-    ContactMembers        members;
-    SleepingPairs         sleeping;
-    std::vector<CellPair> born;
+    ContactMembers         members;
+    SleepingPairs          sleeping;
+    std::vector<FoundPair> found;
 
     /** Pairs that nothing parts, in the order of their names. */
     std::vector<ContactPair> active;
