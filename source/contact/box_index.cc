@@ -1,4 +1,5 @@
 #include <rift/base/check.h>
+#include <rift/base/memory_use.h>
 #include <rift/base/types.h>
 #include <rift/contact/box_index.h>
 
@@ -67,6 +68,16 @@ namespace rift
     entries.clear();
     grids.clear();
     n_boxes = 0;
+  }
+
+  std::uint64_t
+  BoxIndex::bytes() const
+  {
+    std::uint64_t sum = bytes_of(entries) + bytes_of(grids);
+    for (const Grid &grid : grids)
+      sum += bytes_of(grid.block_at) + bytes_of(grid.blocks) +
+             bytes_of(grid.free_blocks);
+    return sum;
   }
 
   BoxIndex::Grid &

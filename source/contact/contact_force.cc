@@ -401,4 +401,18 @@ namespace rift
         ++number;
     return static_cast<std::uint64_t>(communicator.sum(number));
   }
+
+  std::vector<std::pair<std::string, double>>
+  ContactForce::bytes() const
+  {
+    std::vector<std::pair<std::string, double>> parts;
+    for (const auto &[name, bytes] :
+         {std::make_pair("active pairs", bytes_of(active)),
+          std::make_pair("sleeping pairs", sleeping.bytes()),
+          std::make_pair("cells in pairs", members.bytes()),
+          std::make_pair("cells in space", rendezvous.bytes())})
+      parts.emplace_back(name,
+                         communicator.sum(static_cast<std::int64_t>(bytes)));
+    return parts;
+  }
 } // namespace rift

@@ -1,5 +1,6 @@
 #include <rift/base/bytes.h>
 #include <rift/base/check.h>
+#include <rift/base/memory_use.h>
 #include <rift/contact/contact_members.h>
 #include <rift/contact/contact_surface.h>
 
@@ -54,6 +55,17 @@ namespace rift
       // The stiffness is newer here.
       members[place->second].margin = cell.margin;
     return place->second;
+  }
+
+  std::uint64_t
+  ContactMembers::bytes() const
+  {
+    std::uint64_t sum = bytes_of(members) + bytes_of(position_by_name) +
+                        bytes_of(own_cells) + bytes_of(packed) +
+                        bytes_of(packed_after);
+    for (const Member &member : members)
+      sum += bytes_of(member.partners);
+    return sum;
   }
 
   bool

@@ -1,5 +1,6 @@
 #include <rift/base/check.h>
 #include <rift/base/exceptions.h>
+#include <rift/base/memory_use.h>
 #include <rift/contact/contact_space.h>
 #include <rift/contact/separation.h>
 
@@ -48,6 +49,16 @@ namespace rift
     number_by_name.clear();
     boxes.clear();
     last_news.clear();
+  }
+
+  std::uint64_t
+  ContactSpace::bytes() const
+  {
+    std::uint64_t sum = bytes_of(cells) + bytes_of(number_by_name) +
+                        bytes_of(last_news) + boxes.bytes();
+    for (const RemoteCell &cell : cells)
+      sum += bytes_of(cell.subscribers);
+    return sum;
   }
 
   std::uint32_t

@@ -66,6 +66,10 @@ namespace rift
       return n_boxes;
     }
 
+    /** Bytes that it takes. */
+    std::uint64_t
+    bytes() const;
+
     /** The exponent of the power of two that it is sorted by. */
     int
     level(const std::uint32_t number) const

@@ -101,6 +101,13 @@ namespace rift
       return force->count_touching();
     }
 
+    /** Bytes of all ranks by part; see ContactForce::bytes(). Collective. */
+    std::vector<std::pair<std::string, double>>
+    bytes() const
+    {
+      return force->bytes();
+    }
+
   private:
     /** Whether nothing moves a cell but prescribed velocities. */
     bool

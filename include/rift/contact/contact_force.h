@@ -138,6 +138,12 @@ namespace rift
     std::uint64_t
     count_touching() const;
 
+    /** Bytes of all ranks by part: pairs that nothing parts, pairs that are
+     * apart, the cells in them, and those among which pairs are searched for.
+     * Collective. */
+    std::vector<std::pair<std::string, double>>
+    bytes() const;
+
     /** Pairs that have lain in each other too deep. */
     struct DeepOverlaps
     {

@@ -74,6 +74,10 @@ namespace rift
       return members.size();
     }
 
+    /** Bytes that they take. */
+    std::uint64_t
+    bytes() const;
+
     /** Makes a pair of two members.
      * @return whether it was none before. */
     bool

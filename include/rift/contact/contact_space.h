@@ -64,6 +64,10 @@ namespace rift
       return boxes.size();
     }
 
+    /** Bytes that it takes. */
+    std::uint64_t
+    bytes() const;
+
   private:
     /** The number of a cell, which is put in or replaced. */
     std::uint32_t

@@ -57,6 +57,13 @@ namespace rift
     ContactNeighbourhood
     update(std::vector<ContactCell> news);
 
+    /** Bytes that the cells in the space of this rank take. */
+    std::uint64_t
+    bytes() const
+    {
+      return space.bytes();
+    }
+
   private:
     /** Space is divided anew when the rank with most cells has so many times
      * what it had when that was done last. */
