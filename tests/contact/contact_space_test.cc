@@ -58,10 +58,10 @@ TEST(ContactSpace, FindsPairsOfNews)
             Pairs({{3, 7}}));
   // The pair of the other two is no news.
   EXPECT_EQ(update({cell_at(5, {{.5, 0, 0}})}), Pairs());
-  EXPECT_EQ(update({cell_at(5, {{-.05, .01, .01}})}), Pairs({{5, 7}}));
+  EXPECT_EQ(update({cell_at(5, {{-.08, .01, .01}})}), Pairs({{5, 7}}));
   EXPECT_EQ(space.size(), 3u);
   // What has a common group or a held face is none.
-  auto bonded      = cell_at(5, {{-.05, .01, .01}});
+  auto bonded      = cell_at(5, {{-.08, .01, .01}});
   bonded.groups[2] = n_corners * 7 + 1;
   EXPECT_EQ(update({bonded}), Pairs());
   auto released       = bonded;
