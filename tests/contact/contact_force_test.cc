@@ -225,7 +225,7 @@ TEST(ContactForce, PairsAreForgottenAndFoundAgain)
 {
   const double expected = force_of_approach(depth);
   EXPECT_GT(expected, 0);
-  Mover        cubes(two_cubes());
+  Mover cubes(two_cubes());
   for (unsigned int i = 0; i <= 100; ++i)
     cubes.go_to((gap + depth) * i / 100);
   EXPECT_EQ(cubes.resistance(), expected);
