@@ -416,13 +416,13 @@ def plot_contact():
     left.legend(loc="upper right", frameon=False, fontsize=9)
 
     ratio = np.linspace(1, 8, 400)
-    right.plot(ratio, 1 - np.sqrt(1 / ratio), "C0", label="pair born with $\\Phi_0$ (26)")
-    right.plot([0, 8], [1, 1], "C1", label="pair born apart, $\\Phi_0 = 0$")
+    right.plot(ratio, 1 - np.sqrt(1 / ratio), "C0", label="pair with the initial overlap $\\Phi_0$ (26)")
+    right.plot([0, 8], [1, 1], "C1", label="pair found apart, $\\Phi_0 = 0$")
     right.plot([0, 1], [0, 0], "C0")
     right.axvline(1, color="grey", lw=.6)
     right.set(xlabel="overlap, $\\Phi/\\Phi_0$", xlim=(0, 8), ylim=(-.05, 1.25),
               ylabel="$(dE/d\\Phi)/p$",
-              title="pairs that overlap when they are found")
+              title="pairs that overlap when they start")
     right.legend(loc="lower right", frameon=False, fontsize=9)
     figure.tight_layout()
     save(figure, "theory_contact.png")

@@ -107,7 +107,10 @@ namespace rift
     summary.faces_inserted        = faces.inserted;
     summary.faces_broken          = faces.failed;
     if (modules.contact != nullptr)
-      summary.contact_pairs = modules.contact->count_touching();
+      {
+        summary.contact_pairs = modules.contact->count_touching();
+        summary.contact_bytes = modules.contact->bytes();
+      }
     return summary;
   }
 

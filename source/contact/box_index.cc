@@ -1,4 +1,5 @@
 #include <rift/base/check.h>
+#include <rift/base/memory_use.h>
 #include <rift/base/types.h>
 #include <rift/contact/box_index.h>
 
@@ -66,6 +67,17 @@ namespace rift
   {
     entries.clear();
     grids.clear();
+    n_boxes = 0;
+  }
+
+  std::uint64_t
+  BoxIndex::bytes() const
+  {
+    std::uint64_t sum = bytes_of(entries) + bytes_of(grids);
+    for (const Grid &grid : grids)
+      sum += bytes_of(grid.block_at) + bytes_of(grid.blocks) +
+             bytes_of(grid.free_blocks);
+    return sum;
   }
 
   BoxIndex::Grid &
@@ -106,6 +118,7 @@ namespace rift
         block.first.fill(invalid_index);
         block.n_boxes = 0;
       }
+    ++n_boxes;
     ++block.n_boxes;
     std::uint32_t &first = block.first[place_in_block(point)];
     entries[number]      = {box, level, first};
@@ -128,6 +141,7 @@ namespace rift
       link = &entries[*link].next;
     *link       = entry.next;
     entry.level = no_level;
+    --n_boxes;
     if (--block.n_boxes == 0)
       {
         grid.free_blocks.push_back(place->second);

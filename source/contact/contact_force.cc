@@ -2,6 +2,7 @@
 #include <rift/base/exceptions.h>
 #include <rift/base/parameter_text.h>
 #include <rift/contact/contact_force.h>
+#include <rift/contact/separation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -38,17 +39,22 @@ namespace rift
       return largest;
     }
 
-
     /** No node here is faster, m/s: by the largest components of all. */
     double
-    bound_of_speeds(const State &state)
+    bound_of_speeds(const State &state, const Activity &activity)
     {
-      Row largest{};
-      for (const NodalVector &v : state.velocity)
-        {
-          const Row squares = v.row() * v.row();
-          largest           = largest > squares ? largest : squares;
-        }
+      constexpr std::size_t block_size = Activity::block_size;
+      const std::size_t     n_nodes    = state.n_nodes();
+      Row                   largest{};
+      for (std::size_t begin = 0; begin < n_nodes; begin += block_size)
+        if (activity.is_block_awake(begin / block_size))
+          for (std::size_t i = begin; i < std::min(begin + block_size, n_nodes);
+               ++i)
+            {
+              const Row v       = state.velocity[i].row();
+              const Row squares = v * v;
+              largest           = largest > squares ? largest : squares;
+            }
       return std::sqrt(largest[0] + largest[1] + largest[2]);
     }
   } // namespace
@@ -73,31 +79,23 @@ namespace rift
   }
 
   void
-  ContactForce::follow(const State &state, const double time_step)
+  ContactForce::follow(const State    &state,
+                       const Activity &activity,
+                       const double    time_step)
   {
     last_time_step = time_step;
-    move           = time_step * bound_of_speeds(state);
+    move           = time_step * bound_of_speeds(state, activity);
     path += move;
-    std::vector<CellIndex> news;
+    const std::vector<CellIndex> included = find_included(state);
+    std::vector<CellIndex>       news     = included;
     if (!has_searched)
       news = surface.cells();
-    if (!has_searched || state.step % look_interval == 0)
-      {
-        const std::vector<CellIndex> let_go = surface.look(state, path);
-        news.insert(news.end(), let_go.begin(), let_go.end());
-      }
-    for (const CellIndex cell : deep_cells)
-      {
-        const std::vector<CellIndex> behind = surface.include_behind(cell);
-        news.insert(news.end(), behind.begin(), behind.end());
-      }
-    deep_cells.clear();
     if (!(path + move < next_survey))
       add_moved(state, time_step, news);
     update_stiffnesses();
     double fastest = 0;
     if (communicator.any(!has_searched || !news.empty()))
-      fastest = search(state, time_step, std::move(news));
+      fastest = search(state, time_step, std::move(news), included);
     send(state);
     // The forces of the next step are still computed.
     if (fastest > 0)
@@ -108,6 +106,22 @@ namespace rift
           short_text(time_step * fastest) +
           " m or more than half of a cell in a step. It would pass through "
           "what it meets. Choose a smaller time step (subsection Time).");
+  }
+
+  std::vector<CellIndex>
+  ContactForce::find_included(const State &state)
+  {
+    std::vector<CellIndex> included;
+    if (!has_searched || state.step % look_interval == 0)
+      included = surface.look(state, path);
+    for (const CellIndex cell : deep_cells)
+      {
+        const std::vector<CellIndex> behind = surface.include_behind(cell);
+        included.insert(included.end(), behind.begin(), behind.end());
+      }
+    deep_cells.clear();
+    std::sort(included.begin(), included.end());
+    return included;
   }
 
   void
@@ -160,7 +174,7 @@ namespace rift
     members.receive();
     path += std::max(0., time_step * members.largest_told_speed() - move);
     if (members.have_stiffnesses_changed())
-      for (ContactPair &pair : in_play)
+      for (ContactPair &pair : active)
         pair.constants.penalty = penalty_of(pair.cells);
     start_pairs(state);
   }
@@ -168,8 +182,7 @@ namespace rift
   double
   ContactForce::penalty_of(const CellPair &cells) const
   {
-    return pair_penalty(members[cells.a].cell.stiffness,
-                        members[cells.b].cell.stiffness);
+    return pair_penalty(members[cells.a].stiffness, members[cells.b].stiffness);
   }
 
   void
@@ -218,8 +231,9 @@ namespace rift
     ContactCell  result = surface.describe(state, cell, communicator.rank());
     const double move =
       time_step * largest_speed(motion_of(topology, state, cell));
-    result.constants = interface.cells[cell];
-    result.stiffness = interface.stiffnesses.of_cell(cell);
+    result.included_at = never_included;
+    result.constants   = interface.cells[cell];
+    result.stiffness   = interface.stiffnesses.of_cell(cell);
     result.margin =
       std::max(margin_per_size * longest_edge(result.positions), 2 * move);
     next_survey = std::min(next_survey, path + result.margin - move);
@@ -235,9 +249,10 @@ namespace rift
   }
 
   double
-  ContactForce::search(const State           &state,
-                       const double           time_step,
-                       std::vector<CellIndex> news)
+  ContactForce::search(const State                  &state,
+                       const double                  time_step,
+                       std::vector<CellIndex>        news,
+                       const std::vector<CellIndex> &included)
   {
     has_searched = true;
     if (rendezvous.needs_all())
@@ -247,32 +262,38 @@ namespace rift
     const double             fastest = fastest_of(state, time_step, news);
     std::vector<ContactCell> cells;
     for (const CellIndex cell : news)
-      cells.push_back(survey(state, time_step, cell));
-    adopt(rendezvous.update(std::move(cells)));
+      {
+        cells.push_back(survey(state, time_step, cell));
+        if (std::binary_search(included.begin(), included.end(), cell))
+          cells.back().included_at = state.step;
+      }
+    adopt(rendezvous.update(std::move(cells)), state.step);
     return fastest;
   }
 
   void
-  ContactForce::adopt(const ContactNeighbourhood &neighbourhood)
+  ContactForce::adopt(const ContactNeighbourhood &neighbourhood,
+                      const std::uint64_t         step)
   {
-    for (const CellPair &found : neighbourhood.pairs)
+    for (const CellPair &of_two : neighbourhood.pairs)
       {
-        const ContactCell &a = neighbourhood.cells[found.a],
-                          &b = neighbourhood.cells[found.b];
+        const ContactCell &a = neighbourhood.cells[of_two.a],
+                          &b = neighbourhood.cells[of_two.b];
         rift_check(a.cell < b.cell && a.owner >= 0 && b.owner >= 0);
         const CellPair pair = {take_in(a), take_in(b)};
         rift_check(members[pair.a].local != invalid_index ||
                    members[pair.b].local != invalid_index);
         if (members.connect(pair))
-          born.push_back(pair);
+          found.push_back(
+            {pair, a.included_at == step || b.included_at == step});
       }
     if (const auto positions = members.tidy(); !positions.empty())
       {
         sleeping.renumber(positions);
-        for (ContactPair &pair : in_play)
+        for (ContactPair &pair : active)
           pair.cells = {positions[pair.cells.a], positions[pair.cells.b]};
-        for (CellPair &pair : born)
-          pair = {positions[pair.a], positions[pair.b]};
+        for (FoundPair &pair : found)
+          pair.cells = {positions[pair.cells.a], positions[pair.cells.b]};
       }
     members.subscribe();
   }
@@ -292,8 +313,7 @@ namespace rift
   ContactForce::PairName
   ContactForce::name_of(const CellPair &cells) const
   {
-    return PairName(members[cells.a].cell.cell) << 32 |
-           members[cells.b].cell.cell;
+    return PairName(members[cells.a].cell) << 32 | members[cells.b].cell;
   }
 
   void
@@ -301,44 +321,44 @@ namespace rift
   {
     receive(state, time_step);
     wake_pairs(state);
-    for (const ContactPair &pair : in_play)
+    for (const ContactPair &pair : active)
       members.pack(state, pair.cells);
 
     energies.elastic = ExactSum();
-    overlaps.resize(in_play.size());
+    std::vector<SleepingPairs::Pair>               parted;
     std::array<PairForces, PairKernel::chunk_size> forces;
-    for (std::size_t begin = 0; begin < in_play.size();
+    for (std::size_t begin = 0; begin < active.size();
          begin += PairKernel::chunk_size)
       {
         const auto n = static_cast<unsigned int>(
-          std::min<std::size_t>(in_play.size() - begin,
-                                PairKernel::chunk_size));
+          std::min<std::size_t>(active.size() - begin, PairKernel::chunk_size));
         kernel.compute(members.motions(),
-                       in_play.data() + begin,
+                       active.data() + begin,
                        n,
                        time_step,
                        forces.data());
         for (unsigned int i = 0; i < n; ++i)
           {
-            const CellPair    &cells = in_play[begin + i].cells;
-            const PairForces  &f     = forces[i];
-            const ContactCell &a     = members[cells.a].cell;
-            overlaps[begin + i]      = f.overlaps;
+            const CellPair   &cells = active[begin + i].cells;
+            const PairForces &f     = forces[i];
             if (f.is_deep || f.is_too_deep)
               note_depth(cells, f, state);
-            if (a.owner == communicator.rank())
+            if (members[cells.a].owner == communicator.rank())
               {
                 energies.elastic.add(f.energy);
                 energies.friction.add(f.friction_loss);
                 energies.damping.add(f.damping_loss);
               }
             if (!f.overlaps)
-              continue;
+              {
+                parted.push_back({cells, no_axis});
+                continue;
+              }
             add_forces(cells.a, f.on_a, state, activity);
             add_forces(cells.b, f.on_b, state, activity);
           }
       }
-    release_parted();
+    put_parted_to_sleep(parted);
   }
 
   void
@@ -365,7 +385,7 @@ namespace rift
   ContactForce::count_pairs(const Topology             &topology,
                             std::vector<std::uint32_t> &n) const
   {
-    for (const ContactPair &pair : in_play)
+    for (const ContactPair &pair : active)
       if (const CellIndex a = members[pair.cells.a].local;
           a != invalid_index && topology.owns_cell(a))
         ++n[a];
@@ -375,10 +395,24 @@ namespace rift
   ContactForce::count_touching() const
   {
     std::int64_t number = 0;
-    for (const ContactPair &pair : in_play)
+    for (const ContactPair &pair : active)
       if (pair.memory.energy > 0 &&
-          members[pair.cells.a].cell.owner == communicator.rank())
+          members[pair.cells.a].owner == communicator.rank())
         ++number;
     return static_cast<std::uint64_t>(communicator.sum(number));
+  }
+
+  std::vector<std::pair<std::string, double>>
+  ContactForce::bytes() const
+  {
+    std::vector<std::pair<std::string, double>> parts;
+    for (const auto &[name, bytes] :
+         {std::make_pair("active pairs", bytes_of(active)),
+          std::make_pair("sleeping pairs", sleeping.bytes()),
+          std::make_pair("cells in pairs", members.bytes()),
+          std::make_pair("cells in space", rendezvous.bytes())})
+      parts.emplace_back(name,
+                         communicator.sum(static_cast<std::int64_t>(bytes)));
+    return parts;
   }
 } // namespace rift

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-// Which pairs are in play: their birth, sleep and end.
+// Which pairs are active: their start, sleep and end.
 namespace rift
 {
   namespace
@@ -17,13 +17,13 @@ namespace rift
   ContactPair
   ContactForce::make_pair(const CellPair &cells) const
   {
-    const ContactCell &a = members[cells.a].cell, &b = members[cells.b].cell;
-    ContactPair        pair{};
+    const ContactMembers::Member &a = members[cells.a], &b = members[cells.b];
+    ContactPair                   pair{};
     pair.cells     = cells;
     pair.constants = {penalty_of(cells),
                       interface.friction[a.material][b.material],
                       interface.damping,
-                      1 / (1 / a.constants.mass + 1 / b.constants.mass)};
+                      1 / (1 / a.mass + 1 / b.mass)};
     return pair;
   }
 
@@ -37,27 +37,31 @@ namespace rift
       return name_of(x.cells) < name_of(y.cells);
     };
     std::sort(pairs.begin(), pairs.end(), comes_before);
-    const auto n_before = static_cast<std::ptrdiff_t>(in_play.size());
-    in_play.insert(in_play.end(), pairs.begin(), pairs.end());
-    std::inplace_merge(in_play.begin(),
-                       in_play.begin() + n_before,
-                       in_play.end(),
+    const auto n_before = static_cast<std::ptrdiff_t>(active.size());
+    active.insert(active.end(), pairs.begin(), pairs.end());
+    std::inplace_merge(active.begin(),
+                       active.begin() + n_before,
+                       active.end(),
                        comes_before);
   }
 
   void
   ContactForce::start_pairs(const State &state)
   {
-    std::vector<SleepingPairs::Pair> pairs;
-    for (const CellPair &pair : born)
+    // Of those that could touch before, and those that could not.
+    std::vector<SleepingPairs::Pair> meeting, released;
+    for (const FoundPair &pair : found)
       {
-        members.pack(state, pair);
-        pairs.push_back({pair, no_axis});
+        members.pack(state, pair.cells);
+        (pair.may_overlap ? released : meeting)
+          .push_back({pair.cells, no_axis});
       }
-    born.clear();
-    const std::vector<CellPair>   near  = put_to_sleep(pairs);
+    found.clear();
+    std::vector<ContactPair> new_pairs;
+    for (const CellPair &pair : put_to_sleep(meeting))
+      new_pairs.push_back(make_pair(pair));
+    const std::vector<CellPair>   near  = put_to_sleep(released);
     const std::vector<CommonPart> parts = common_parts(members.motions(), near);
-    std::vector<ContactPair>      new_pairs;
     for (std::size_t i = 0; i < near.size(); ++i)
       {
         new_pairs.push_back(make_pair(near[i]));
@@ -88,8 +92,8 @@ namespace rift
       {
         // Farther than where they have been searched for, and where they may
         // have gone since: they will be found again.
-        const double far = 2 * (members[cells[i].a].cell.margin +
-                                members[cells[i].b].cell.margin);
+        const double far =
+          2 * (members[cells[i].a].margin + members[cells[i].b].margin);
         if (!(gaps[i] > 0))
           near.push_back(cells[i]);
         else if (gaps[i] > far)
@@ -113,29 +117,29 @@ namespace rift
   }
 
   void
-  ContactForce::release_parted()
+  ContactForce::put_parted_to_sleep(
+    const std::vector<SleepingPairs::Pair> &parted)
   {
-    std::vector<SleepingPairs::Pair> parted;
-    for (std::size_t i = 0; i < in_play.size(); ++i)
-      if (!overlaps[i])
-        parted.push_back({in_play[i].cells, no_axis});
     if (parted.empty())
       return;
-    const std::vector<CellPair> near = put_to_sleep(parted);
-    auto                        next = near.begin();
-    std::size_t                 n    = 0;
-    for (std::size_t i = 0; i < in_play.size(); ++i)
-      {
-        const CellPair &cells = in_play[i].cells;
-        if (!overlaps[i])
-          {
-            if (next == near.end() || next->a != cells.a || next->b != cells.b)
-              continue;
-            ++next;
-          }
-        in_play[n] = in_play[i];
-        ++n;
-      }
-    in_play.resize(n);
+    const std::vector<CellPair> near      = put_to_sleep(parted);
+    auto                        next      = parted.begin();
+    auto                        next_near = near.begin();
+    const auto                  is = [](const CellPair &x, const CellPair &y) {
+      return x.a == y.a && x.b == y.b;
+    };
+    active.erase(std::remove_if(
+                   active.begin(),
+                   active.end(),
+                   [&](const ContactPair &pair) {
+                     if (next == parted.end() || !is(next->cells, pair.cells))
+                       return false;
+                     ++next;
+                     if (next_near == near.end() || !is(*next_near, pair.cells))
+                       return true;
+                     ++next_near;
+                     return false;
+                   }),
+                 active.end());
   }
 } // namespace rift

@@ -1,5 +1,6 @@
 #include <rift/base/bytes.h>
 #include <rift/base/check.h>
+#include <rift/base/memory_use.h>
 #include <rift/contact/contact_members.h>
 #include <rift/contact/contact_surface.h>
 
@@ -35,7 +36,15 @@ namespace rift
                                    static_cast<std::uint32_t>(members.size()));
     if (is_new)
       {
-        members.push_back({cell, topology.find_cell(cell.cell), {}, 0});
+        members.push_back({cell.cell,
+                           cell.owner,
+                           cell.material,
+                           cell.constants.mass,
+                           cell.stiffness,
+                           cell.margin,
+                           topology.find_cell(cell.cell),
+                           {},
+                           0});
         own_cells.push_back(cell.owner == communicator.rank() ?
                               members.back().local :
                               invalid_index);
@@ -43,20 +52,26 @@ namespace rift
         packed_after.push_back(0);
       }
     else
-      {
-        // The stiffness is newer here.
-        Member                &member = members[place->second];
-        const ContactStiffness latest = member.cell.stiffness;
-        member.cell                   = cell;
-        member.cell.stiffness         = latest;
-      }
+      // The stiffness is newer here.
+      members[place->second].margin = cell.margin;
     return place->second;
+  }
+
+  std::uint64_t
+  ContactMembers::bytes() const
+  {
+    std::uint64_t sum = bytes_of(members) + bytes_of(position_by_name) +
+                        bytes_of(own_cells) + bytes_of(packed) +
+                        bytes_of(packed_after);
+    for (const Member &member : members)
+      sum += bytes_of(member.partners);
+    return sum;
   }
 
   bool
   ContactMembers::connect(const CellPair &pair)
   {
-    rift_check(members[pair.a].cell.cell < members[pair.b].cell.cell);
+    rift_check(members[pair.a].cell < members[pair.b].cell);
     auto &partners = members[pair.a].partners;
     if (std::find(partners.begin(), partners.end(), pair.b) != partners.end())
       return false;
@@ -94,7 +109,7 @@ namespace rift
       if (members[i].n_pairs > 0)
         {
           new_positions[i] = n;
-          position_by_name.emplace(members[i].cell.cell, n);
+          position_by_name.emplace(members[i].cell, n);
           own_cells[n]    = own_cells[i];
           packed[n]       = packed[i];
           packed_after[n] = packed_after[i];
@@ -120,9 +135,9 @@ namespace rift
     std::map<int, std::vector<GlobalCellIndex>> wanted;
     std::map<int, Partner>                      asked;
     for (std::uint32_t i = 0; i < members.size(); ++i)
-      if (const int owner = members[i].cell.owner; owner != communicator.rank())
+      if (const int owner = members[i].owner; owner != communicator.rank())
         {
-          wanted[owner].push_back(members[i].cell.cell);
+          wanted[owner].push_back(members[i].cell);
           asked[owner].rank = owner;
           asked[owner].cells.push_back(i);
         }
@@ -145,7 +160,7 @@ namespace rift
   ContactMembers::set_stiffness(const std::uint32_t     position,
                                 const ContactStiffness &stiffness)
   {
-    ContactStiffness &known = members[position].cell.stiffness;
+    ContactStiffness &known = members[position].stiffness;
     stiffnesses_have_changed |=
       known.per_area != stiffness.per_area || known.height != stiffness.height;
     known = stiffness;

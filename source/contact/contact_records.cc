@@ -48,12 +48,14 @@ namespace rift
     constexpr double largest_overlap_at_start = 1e-9;
 
     std::string
-    describe(const ContactCell                     &cell,
+    describe(const ContactMembers                  &members,
+             const std::uint32_t                    position,
              const std::vector<MaterialParameters> &materials)
     {
-      Vector3<double> centre{};
-      for (const Vector3<double> &x : cell.positions)
-        centre += .25 * x;
+      const ContactMembers::Member &cell = members[position];
+      Vector3<double>               centre{};
+      for (const NodalVector &x : members.motions()[position].position)
+        centre += .25 * x.vector();
       return "cell " + std::to_string(cell.cell) + " of " +
              materials[cell.material].name + " at (" + short_text(centre[0]) +
              ", " + short_text(centre[1]) + ", " + short_text(centre[2]) +
@@ -69,7 +71,7 @@ namespace rift
     receive(state, 0);
     communicator.collectively([&] {
       std::vector<CellPair> pairs;
-      for (const ContactPair &pair : in_play)
+      for (const ContactPair &pair : active)
         pairs.push_back(pair.cells);
       const std::vector<CommonPart> parts =
         common_parts(members.motions(), pairs);
@@ -77,9 +79,9 @@ namespace rift
         {
           if (parts[i].volume_fraction > largest_overlap_at_start)
             throw InputError("bodies lie in each other at the start: " +
-                             describe(members[pairs[i].a].cell, materials) +
+                             describe(members, pairs[i].a, materials) +
                              " and " +
-                             describe(members[pairs[i].b].cell, materials) +
+                             describe(members, pairs[i].b, materials) +
                              " have " + short_text(parts[i].volume) +
                              " m^3 in common. Move them apart in the mesh, or "
                              "set \"Contact = false\" in subsection Contact.");
@@ -100,11 +102,11 @@ namespace rift
         if (forces.is_deep && members[member].local != invalid_index)
           deep_cells.push_back(members[member].local);
       }
-    const ContactCell &a = members[cells.a].cell;
+    const ContactMembers::Member &a = members[cells.a];
     if (forces.is_too_deep && a.owner == communicator.rank())
       too_deep.try_emplace(name_of(cells),
                            DeepOverlap{a.cell,
-                                       members[cells.b].cell.cell,
+                                       members[cells.b].cell,
                                        state.step,
                                        state.time,
                                        place});
@@ -134,13 +136,13 @@ namespace rift
   ContactForce::save(Archive &archive) const
   {
     std::vector<PairRecord> records;
-    for (const ContactPair &pair : in_play)
+    for (const ContactPair &pair : active)
       {
-        const ContactCell &a = members[pair.cells.a].cell;
+        const ContactMembers::Member &a = members[pair.cells.a];
         if (a.owner != communicator.rank())
           continue;
         PairRecord record{a.cell,
-                          members[pair.cells.b].cell.cell,
+                          members[pair.cells.b].cell,
                           pair.memory.initial_potential,
                           {},
                           pair.memory.stiffness,
@@ -154,11 +156,11 @@ namespace rift
       }
     archive.write_list("contact: pairs", records);
     std::vector<GlobalCellIndex> names;
-    for (const CellPair &pair : born)
-      if (members[pair.a].cell.owner == communicator.rank())
-        for (const std::uint32_t member : {pair.a, pair.b})
-          names.push_back(members[member].cell.cell);
-    archive.write_list("contact: new pairs", names);
+    for (const auto &[cells, may_overlap] : found)
+      if (may_overlap && members[cells.a].owner == communicator.rank())
+        for (const std::uint32_t member : {cells.a, cells.b})
+          names.push_back(members[member].cell);
+    archive.write_list("contact: pairs that may overlap", names);
     archive.write_value("contact: time step", last_time_step);
     surface.save(archive);
     std::vector<DeepRecord> deep;
@@ -188,7 +190,8 @@ namespace rift
     // Pairs may have parted, or may meet, by the way of a step.
     search(state,
            archive.read_value<double>("contact: time step"),
-           surface.cells());
+           surface.cells(),
+           {});
 
     std::unordered_map<PairName, ContactMemory> memories;
     for (const PairRecord &record :
@@ -200,29 +203,28 @@ namespace rift
         record.damping_force,
         record.penalty,
         record.energy};
-    std::set<PairName> are_new;
-    const auto names = archive.read_list<GlobalCellIndex>("contact: new pairs");
+    std::set<PairName> may_overlap;
+    const auto         names =
+      archive.read_list<GlobalCellIndex>("contact: pairs that may overlap");
     for (std::size_t i = 0; i < names.size(); i += 2)
-      are_new.insert(PairName(names[i]) << 32 | names[i + 1]);
+      may_overlap.insert(PairName(names[i]) << 32 | names[i + 1]);
     // Some have parted since their forces were computed last, others have met.
     std::vector<ContactPair> restored;
-    std::vector<CellPair>    others;
-    for (const CellPair &cells : born)
-      if (const auto memory = memories.find(name_of(cells));
-          memory != memories.end())
-        {
-          restored.push_back(make_pair(cells));
-          restored.back().memory = memory->second;
-        }
-      else
-        others.push_back(cells);
-    born = std::move(others);
+    std::vector<FoundPair>   others;
+    for (const FoundPair &pair : found)
+      {
+        const PairName name = name_of(pair.cells);
+        if (const auto memory = memories.find(name); memory != memories.end())
+          {
+            restored.push_back(make_pair(pair.cells));
+            restored.back().memory = memory->second;
+          }
+        else
+          others.push_back({pair.cells, may_overlap.count(name) > 0});
+      }
+    found = std::move(others);
     merge(std::move(restored));
     send(state);
     receive(state, 0);
-    for (ContactPair &pair : in_play)
-      if (const PairName name = name_of(pair.cells);
-          memories.count(name) == 0 && are_new.count(name) == 0)
-        pair.memory = {};
   }
 } // namespace rift

@@ -1,5 +1,6 @@
 #include <rift/base/check.h>
 #include <rift/base/exceptions.h>
+#include <rift/base/memory_use.h>
 #include <rift/contact/contact_space.h>
 #include <rift/contact/separation.h>
 
@@ -44,26 +45,36 @@ namespace rift
   void
   ContactSpace::clear()
   {
-    guests.clear();
+    cells.clear();
     number_by_name.clear();
     boxes.clear();
     last_news.clear();
   }
 
+  std::uint64_t
+  ContactSpace::bytes() const
+  {
+    std::uint64_t sum = bytes_of(cells) + bytes_of(number_by_name) +
+                        bytes_of(last_news) + boxes.bytes();
+    for (const RemoteCell &cell : cells)
+      sum += bytes_of(cell.subscribers);
+    return sum;
+  }
+
   std::uint32_t
-  ContactSpace::take_in(Guest guest)
+  ContactSpace::take_in(RemoteCell cell)
   {
     const auto [place, is_new] =
-      number_by_name.try_emplace(guest.cell.cell,
-                                 static_cast<std::uint32_t>(guests.size()));
+      number_by_name.try_emplace(cell.cell,
+                                 static_cast<std::uint32_t>(cells.size()));
     const std::uint32_t number = place->second;
     if (is_new)
       {
-        guests.emplace_back();
+        cells.emplace_back();
         last_news.push_back(0);
       }
-    boxes.put(number, box_around(guest.cell));
-    guests[number]    = std::move(guest);
+    boxes.put(number, box_around(cell));
+    cells[number]     = std::move(cell);
     last_news[number] = n_updates;
     return number;
   }
@@ -71,7 +82,7 @@ namespace rift
   bool
   ContactSpace::may_touch(const std::uint32_t a, const std::uint32_t b) const
   {
-    const ContactCell &x = guests[a].cell, &y = guests[b].cell;
+    const ContactCell &x = cells[a], &y = cells[b];
     const double       reach = x.margin + y.margin;
     return !are_bonded(x, y) &&
            FacePlanes(x.positions).distance_to(y.positions) <= reach &&
@@ -79,16 +90,16 @@ namespace rift
   }
 
   std::vector<CellPair>
-  ContactSpace::update(std::vector<Guest>   news,
-                       const SpaceDivision &division,
-                       const int            rank)
+  ContactSpace::update(std::vector<RemoteCell> news,
+                       const SpaceDivision    &division,
+                       const int               rank)
   {
     ++n_updates;
-    const bool                 are_all_new = guests.empty();
+    const bool                 are_all_new = cells.empty();
     std::vector<std::uint32_t> numbers;
-    for (Guest &guest : news)
+    for (RemoteCell &cell : news)
       {
-        numbers.push_back(take_in(std::move(guest)));
+        numbers.push_back(take_in(std::move(cell)));
         const auto ranks = division.ranks_of(boxes.box(numbers.back()));
         if (!std::binary_search(ranks.begin(), ranks.end(), rank))
           {
@@ -129,9 +140,8 @@ namespace rift
                 lower_corner_of_common_box(boxes.box(i), boxes.box(j))) ==
                 rank &&
               may_touch(i, j))
-            pairs.push_back(guests[i].cell.cell < guests[j].cell.cell ?
-                              CellPair{i, j} :
-                              CellPair{j, i});
+            pairs.push_back(cells[i].cell < cells[j].cell ? CellPair{i, j} :
+                                                            CellPair{j, i});
       }
     return pairs;
   }

@@ -15,7 +15,7 @@ namespace rift
              faces.end();
     }
 
-    /** A face that has been let go of since the last look, for a checkpoint. */
+    /** A face that has been released since the last look, for a checkpoint. */
     struct FaceRecord
     {
       GlobalCellIndex cell;
@@ -172,7 +172,7 @@ namespace rift
           const FaceName name = topology.face_name(face);
           records.push_back({name.cell, name.local_face});
         }
-    archive.write_list("contact: faces let go of since the last look", records);
+    archive.write_list("contact: faces released since the last look", records);
     std::vector<GlobalCellIndex> names;
     for (const CellIndex cell : behind)
       names.push_back(topology.cell_global_indices[cell]);
@@ -185,7 +185,7 @@ namespace rift
     groups.load(archive);
     face_states.look();
     for (const FaceRecord &record : archive.read_list<FaceRecord>(
-           "contact: faces let go of since the last look"))
+           "contact: faces released since the last look"))
       if (const FaceIndex face =
             topology.find_face({record.cell, record.local_face});
           face != invalid_index)

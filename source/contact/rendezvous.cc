@@ -35,7 +35,7 @@ namespace rift
       return true;
     }
 
-    /** Some pairs of guests, by name. */
+    /** Some pairs of a space, by name. */
     ContactNeighbourhood
     select(const ContactSpace &space, const std::vector<CellPair> &pairs)
     {
@@ -46,7 +46,7 @@ namespace rift
           numbers.push_back(pair.b);
         }
       const auto name = [&](const std::uint32_t number) {
-        return space.guest(number).cell.cell;
+        return space.cell(number).cell;
       };
       const auto is_before = [&](const std::uint32_t x, const std::uint32_t y) {
         return name(x) < name(y);
@@ -60,7 +60,7 @@ namespace rift
       };
       ContactNeighbourhood result;
       for (const std::uint32_t number : numbers)
-        result.cells.push_back(space.guest(number).cell);
+        result.cells.push_back(space.cell(number));
       for (const CellPair &pair : pairs)
         result.pairs.push_back({position(pair.a), position(pair.b)});
       std::sort(result.pairs.begin(), result.pairs.end(), comes_before);
@@ -130,11 +130,12 @@ namespace rift
     const bool is_new = needs_all();
     if (is_new && communicator.size() > 1)
       divide(news);
-    std::vector<ContactSpace::Guest> guests =
+    std::vector<ContactSpace::RemoteCell> remote_cells =
       send_to_space_owners(std::move(news));
     std::vector<CellPair> pairs;
     communicator.collectively([&] {
-      pairs = space.update(std::move(guests), division, communicator.rank());
+      pairs =
+        space.update(std::move(remote_cells), division, communicator.rank());
     });
     if (communicator.size() > 1)
       largest_number = communicator.max(static_cast<double>(space.size()));
@@ -147,15 +148,15 @@ namespace rift
     return result;
   }
 
-  std::vector<ContactSpace::Guest>
+  std::vector<ContactSpace::RemoteCell>
   Rendezvous::send_to_space_owners(std::vector<ContactCell> news)
   {
-    std::vector<ContactSpace::Guest> guests;
+    std::vector<ContactSpace::RemoteCell> remote_cells;
     if (communicator.size() == 1)
       {
         for (ContactCell &cell : news)
-          guests.push_back({std::move(cell), {0}});
-        return guests;
+          remote_cells.push_back({std::move(cell), {0}});
+        return remote_cells;
       }
     std::map<int, std::vector<ContactCell>> cells;
     // Of each cell the number of those who see it, and these.
@@ -189,11 +190,11 @@ namespace rift
         auto view = new_views.at(rank).begin();
         for (const ContactCell &cell : message)
           {
-            guests.push_back({cell, {view + 1, view + 1 + *view}});
+            remote_cells.push_back({cell, {view + 1, view + 1 + *view}});
             view += 1 + *view;
           }
       }
-    return guests;
+    return remote_cells;
   }
 
   ContactNeighbourhood
@@ -203,8 +204,8 @@ namespace rift
     for (const CellPair &pair : pairs)
       {
         std::vector<int> ranks;
-        const auto      &of_a = space.guest(pair.a).subscribers,
-                   &of_b      = space.guest(pair.b).subscribers;
+        const auto      &of_a = space.cell(pair.a).subscribers,
+                   &of_b      = space.cell(pair.b).subscribers;
         std::set_union(of_a.begin(),
                        of_a.end(),
                        of_b.begin(),

@@ -77,7 +77,7 @@ namespace rift::test
       void
       follow()
       {
-        contact.follow(body.state, time_step);
+        contact.follow(body.state, activity, time_step);
       }
 
       void

@@ -1,4 +1,4 @@
-// Contact of two tetrahedra: energy on closed paths, birth with an overlap,
+// Contact of two tetrahedra: energy on closed paths, initial overlap,
 // Coulomb's friction, damping.
 
 #include "../support/single_pair.h"
@@ -256,7 +256,7 @@ TEST(ContactPair, ForgetsOverlapThatHasBecomeLess)
   memory.initial_potential = potential(.1);
   pair_forces(at_rest(lower), at_depth(.06), smooth, 0, memory);
   EXPECT_EQ(memory.initial_potential, potential(.06));
-  // In again: as a pair that was born at .06.
+  // In again: as a pair that started at .06.
   const double free = potential(.06), now = potential(.1);
   const double energy =
     pair_forces(at_rest(lower), at_depth(.1), smooth, 0, memory).energy;

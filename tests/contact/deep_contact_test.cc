@@ -1,9 +1,8 @@
 // Contact of bodies that lie deep in each other, on any number of ranks: the
 // cells behind their surfaces take part, so that the force does not fall to zero.
 
-#include <rift/contact/contact_force.h>
-
 #include "../support/distributed_body.h"
+#include "contact_interface.h"
 #include <gtest/gtest.h>
 
 using namespace rift;
@@ -38,24 +37,6 @@ namespace
     return body;
   }
 
-  ContactForce::Interface
-  interface(const DiscreteBody &body)
-  {
-    std::vector<double>               spare;
-    std::vector<ContactCellConstants> cells;
-    for (CellIndex cell = 0; cell < body.topology.n_cell_slots(); ++cell)
-      {
-        const double mass =
-          density * body.reference[cell / batch_size].volume[cell % batch_size];
-        spare.push_back(mass / n_corners * 1e14);
-        cells.push_back({mass, invalid_index});
-      }
-    return {cells,
-            ContactStiffnesses(body.topology, body.reference, spare, 0),
-            {{0, 0}, {0, 0}},
-            0};
-  }
-
   /** What one rank sees of the upper block as it goes down. */
   class Descent
   {
@@ -63,9 +44,10 @@ namespace
     Descent(const test::BodyPart &part, const Communicator &communicator)
       : part(part)
       , body(discretize(part, {density, density}))
-      , force(body.topology, communicator, interface(body))
+      , force(body.topology, communicator, contact_interface(body, density))
       , activity(body.topology)
     {
+      activity.wake_all(body.topology);
     }
 
     void
@@ -73,7 +55,7 @@ namespace
     {
       ++body.state.step;
       place();
-      force.follow(body.state, 1);
+      force.follow(body.state, activity, 1);
       add_forces();
     }
 
@@ -173,8 +155,9 @@ namespace
   double
   least_penalty(const DiscreteBody &body)
   {
-    const ContactStiffnesses stiffnesses = interface(body).stiffnesses;
-    double                   least       = 1e300;
+    const ContactStiffnesses stiffnesses =
+      contact_interface(body, density).stiffnesses;
+    double least = 1e300;
     for (CellIndex cell = 0; cell < body.topology.n_cells(); ++cell)
       {
         const auto            &faces = body.topology.cell_faces[cell];

@@ -28,6 +28,7 @@ TEST(Summary, EveryKeyInOrder)
   summary.faces_broken             = 80;
   summary.fragments                = 3;
   summary.contact_pairs            = 4;
+  summary.contact_bytes            = {{"active pairs", 104}};
   summary.energy                   = {{"kinetic", 1.5}, {"strain", 0.25}};
   summary.energy_residual_relative = std::nan("");
   summary.state_hash               = "00ff";
@@ -57,6 +58,9 @@ TEST(Summary, EveryKeyInOrder)
   "faces_broken": 80,
   "fragments": 3,
   "contact_pairs": 4,
+  "contact_bytes": {
+    "active pairs": 104.0
+  },
   "energy": {
     "kinetic": 1.5,
     "strain": 0.25

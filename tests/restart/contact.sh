@@ -31,7 +31,7 @@ goes_on() {
 goes_on block 1 82 "$contact/block.prm" --set "Time/End time=6e-5" \
   --set "Output/Solution interval=3e-5"
 
-# While cracks grow, let go of their sides, and these touch.
+# While cracks grow, their sides are released, and these touch.
 goes_on disc 2 1025 "$here/../../prm/brazilian/bd_ani.prm" \
   --set "Mesh/Element size=4e-3" --set "Time/End time=115e-6" \
   --set "Output/Solution interval=115e-6"

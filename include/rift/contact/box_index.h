@@ -59,6 +59,17 @@ namespace rift
       return entries[number].box;
     }
 
+    /** Number of boxes that are in. */
+    std::size_t
+    size() const
+    {
+      return n_boxes;
+    }
+
+    /** Bytes that it takes. */
+    std::uint64_t
+    bytes() const;
+
     /** The exponent of the power of two that it is sorted by. */
     int
     level(const std::uint32_t number) const
@@ -117,6 +128,7 @@ namespace rift
 
     std::vector<Entry> entries;
     std::vector<Grid>  grids;
+    std::size_t        n_boxes = 0;
   };
 } // namespace rift
 

@@ -57,7 +57,7 @@ namespace rift
     void
     begin(StepContext &step) override
     {
-      force->follow(step.body.state, step.time_step);
+      force->follow(step.body.state, step.body.activity, step.time_step);
       force->refuse_overlaps(step.body.state, materials);
     }
 
@@ -76,7 +76,7 @@ namespace rift
     void
     after_drift(StepContext &step) override
     {
-      force->follow(step.body.state, step.time_step);
+      force->follow(step.body.state, step.body.activity, step.time_step);
     }
 
     void
@@ -99,6 +99,13 @@ namespace rift
     count_touching() const
     {
       return force->count_touching();
+    }
+
+    /** Bytes of all ranks by part; see ContactForce::bytes(). Collective. */
+    std::vector<std::pair<std::string, double>>
+    bytes() const
+    {
+      return force->bytes();
     }
 
   private:

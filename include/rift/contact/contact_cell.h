@@ -17,6 +17,9 @@ namespace rift
     std::uint32_t body;
   };
 
+  /** No step. */
+  constexpr std::uint64_t never_included = std::uint64_t(-1);
+
   /** A cell that may touch others, as its owner tells other ranks of it. */
   struct ContactCell
   {
@@ -34,6 +37,11 @@ namespace rift
      * from there before they are told again, m. */
     Tetrahedron positions;
     double      margin;
+
+    /** The step at whose end a crack released it or others came to lie deep in
+     * a cell before it, so that it could touch cells that it could not touch
+     * before; `never_included` if others are told for another reason. */
+    std::uint64_t included_at;
 
     /** Name of the group at each corner; see VertexGroups. */
     std::array<std::uint64_t, n_corners> groups;

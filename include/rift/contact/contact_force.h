@@ -49,10 +49,10 @@ namespace rift
    * own it is told by their owners.
    *
    * Partners are searched for of cells that have moved by their margin and,
-   * every `look_interval` steps, of those that cracks have let go of. A pair
-   * whose cells overlap already when a crack lets go of them starts without
-   * force and energy. Pairs that are apart sleep. Cells behind those that others
-   * lie deep in take part from the next step on.
+   * every `look_interval` steps, of those that cracks have released. Cells
+   * behind those that others lie deep in take part from the next step on. Cells
+   * that could not touch before may overlap already: such a pair starts without
+   * force and energy. All others start apart. Pairs that are apart sleep.
    */
   class ContactForce
   {
@@ -120,7 +120,7 @@ namespace rift
      *   too fast to be found or too many cells lie at one place.
      */
     void
-    follow(const State &state, double time_step);
+    follow(const State &state, const Activity &activity, double time_step);
 
     /** Adds the forces at the positions of the last follow().
      * @param time_step that has led there, s; zero at the start. */
@@ -137,6 +137,12 @@ namespace rift
     /** Number of pairs of the whole body that touch. Collective. */
     std::uint64_t
     count_touching() const;
+
+    /** Bytes of all ranks by part: pairs that nothing parts, pairs that are
+     * apart, the cells in them, and those among which pairs are searched for.
+     * Collective. */
+    std::vector<std::pair<std::string, double>>
+    bytes() const;
 
     /** Pairs that have lain in each other too deep. */
     struct DeepOverlaps
@@ -189,6 +195,16 @@ namespace rift
       ContactStiffness stiffness;
     };
 
+    /** A pair that has been found and has not been computed yet. */
+    struct FoundPair
+    {
+      CellPair cells;
+
+      /** Whether one of them could not touch the other before, so that what
+       * they have in common is an initial overlap (eq. 26). */
+      bool may_overlap;
+    };
+
     PairName
     name_of(const CellPair &cells) const;
 
@@ -201,9 +217,9 @@ namespace rift
     void
     send(const State &state);
 
-    /** Waits for what others tell of their cells, gives the pairs in play the
-     * penalties of now, and birth to new pairs. Nothing but the first time after
-     * follow(). */
+    /** Waits for what others tell of their cells, gives the active pairs the
+     * penalties of now, and starts the pairs that have been found. Nothing but
+     * the first time after follow(). */
     void
     receive(const State &state, double time_step);
 
@@ -220,10 +236,19 @@ namespace rift
               double                  time_step,
               std::vector<CellIndex> &news);
 
+    /** Own cells that may touch others now that they could not touch before;
+     * ascending. */
+    std::vector<CellIndex>
+    find_included(const State &state);
+
     /** Tells other ranks of own cells, and takes in the new pairs.
+     * @param included those of them that find_included() has found.
      * @return see fastest_of(). */
     double
-    search(const State &state, double time_step, std::vector<CellIndex> news);
+    search(const State                  &state,
+           double                        time_step,
+           std::vector<CellIndex>        news,
+           const std::vector<CellIndex> &included);
 
     /** The speed of the fastest of those cells, of any rank, that move by more
      * than half of their size in a step, m/s; 0: none. Collective. */
@@ -239,21 +264,21 @@ namespace rift
     /** Makes pairs of those that are new, and forgets members without pairs.
      */
     void
-    adopt(const ContactNeighbourhood &neighbourhood);
+    adopt(const ContactNeighbourhood &neighbourhood, std::uint64_t step);
 
-    /** Gives birth to new pairs where the cells are now. */
+    /** Starts the pairs that have been found, where the cells are now. */
     void
     start_pairs(const State &state);
 
-    /** A pair in play, without memory. */
+    /** An active pair, without memory. */
     ContactPair
     make_pair(const CellPair &cells) const;
 
-    /** Puts pairs in play in their places. */
+    /** Makes pairs active. */
     void
     merge(std::vector<ContactPair> pairs);
 
-    /** Pairs that have woken sleep again or come into play. */
+    /** Pairs that have woken sleep again or become active. */
     void
     wake_pairs(const State &state);
 
@@ -262,9 +287,10 @@ namespace rift
     std::vector<CellPair>
     put_to_sleep(const std::vector<SleepingPairs::Pair> &pairs);
 
-    /** Pairs in play that do not overlap sleep again. */
+    /** Active pairs that do not overlap sleep again.
+     * @param parted such pairs, in the order of `active`. */
     void
-    release_parted();
+    put_parted_to_sleep(const std::vector<SleepingPairs::Pair> &parted);
 
     /** Keeps in mind that a pair lies in each other deep. */
     void
@@ -303,14 +329,12 @@ namespace rift
     /** Of the last follow(), s. */
     double last_time_step = 0;
 
-    ContactMembers        members;
-    SleepingPairs         sleeping;
-    std::vector<CellPair> born;
+    ContactMembers         members;
+    SleepingPairs          sleeping;
+    std::vector<FoundPair> found;
 
-    /** Pairs that nothing parts, in the order of their names, and whether they
-     * overlap. */
-    std::vector<ContactPair>  in_play;
-    std::vector<std::uint8_t> overlaps;
+    /** Pairs that nothing parts, in the order of their names. */
+    std::vector<ContactPair> active;
 
     /** Cells of this rank and ghosts in which others lay deep at the last
      * add_to(), and pairs of this rank that have lain in each other too deep. */

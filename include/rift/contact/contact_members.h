@@ -26,8 +26,15 @@ namespace rift
     /** A cell in pairs. */
     struct Member
     {
-      /** As its owner has told of it last. */
-      ContactCell cell;
+      /** The cell, the rank that owns it, its material, and its mass, kg. */
+      GlobalCellIndex cell;
+      int             owner;
+      std::uint32_t   material;
+      double          mass;
+
+      /** How stiff it is now, and its margin as its owner has told last, m. */
+      ContactStiffness stiffness;
+      double           margin;
 
       /** Here; invalid_index if this rank does not see it. */
       CellIndex local;
@@ -66,6 +73,10 @@ namespace rift
     {
       return members.size();
     }
+
+    /** Bytes that they take. */
+    std::uint64_t
+    bytes() const;
 
     /** Makes a pair of two members.
      * @return whether it was none before. */

@@ -24,7 +24,7 @@ namespace rift
   {
     /**
      * Potential, m^3, up to which the overlap has no force: what there was of
-     * it when the pair came into being, or the least since.
+     * it when the pair started, or the least since.
      */
     double initial_potential = 0;
 
@@ -82,8 +82,7 @@ namespace rift
 
     /** Whether so deep that the force of the pair no longer grows: that mean is
      * above `largest_mean_potential`, or more than `largest_volume_fraction` of
-     * a cell is inside of the other. Not of pairs that were born with an
-     * overlap. */
+     * a cell is inside of the other. Not of pairs with an initial overlap. */
     bool is_too_deep;
   };
 

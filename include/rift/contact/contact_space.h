@@ -18,12 +18,10 @@ namespace rift
   class ContactSpace
   {
   public:
-    /** A cell, where it is looked for, and the ranks that see it. */
-    struct Guest
+    /** A cell of any rank as its owner has told of it, and the ranks that see
+     * it. */
+    struct RemoteCell : ContactCell
     {
-      /** As its owner has told of it. */
-      ContactCell cell;
-
       /** Ascending. */
       std::vector<int> subscribers;
     };
@@ -42,42 +40,49 @@ namespace rift
      *   begin: so that each pair is found on one rank.
      * @return pairs that are not bonded and nearer to each other than their
      *   margins, of which one or both cells are among the news, as numbers of
-     *   guests, the one of smaller name first, in no particular order. Until a
+     *   cells, the one of smaller name first, in no particular order. Until a
      *   cell has moved by its margin or is among the news again, no others
      *   touch.
      * @throws RunError if there are so many pairs that cells must lie in heaps.
      */
     std::vector<CellPair>
-    update(std::vector<Guest> news, const SpaceDivision &division, int rank);
+    update(std::vector<RemoteCell> news,
+           const SpaceDivision    &division,
+           int                     rank);
 
     /** A cell that update() has found a partner for. */
-    const Guest &
-    guest(const std::uint32_t number) const
+    const RemoteCell &
+    cell(const std::uint32_t number) const
     {
-      return guests[number];
+      return cells[number];
     }
 
-    /** Number of cells that have been here since clear(). */
+    /** Number of cells that are here: without those that have left. */
     std::size_t
     size() const
     {
-      return guests.size();
+      return boxes.size();
     }
 
-  private:
-    /** The number of a cell, which becomes a guest. */
-    std::uint32_t
-    take_in(Guest guest);
+    /** Bytes that it takes. */
+    std::uint64_t
+    bytes() const;
 
-    /** Whether two guests are near each other and not bonded. */
+  private:
+    /** The number of a cell, which is put in or replaced. */
+    std::uint32_t
+    take_in(RemoteCell cell);
+
+    /** Whether two cells are near each other and not bonded. */
     bool
     may_touch(std::uint32_t a, std::uint32_t b) const;
 
-    std::vector<Guest>                                 guests;
+    /** Those that have left keep their number, but have no box. */
+    std::vector<RemoteCell>                            cells;
     std::unordered_map<GlobalCellIndex, std::uint32_t> number_by_name;
     BoxIndex                                           boxes;
 
-    /** The number of updates, and that of the last news of each guest. */
+    /** The number of updates, and that of the last news of each cell. */
     std::uint64_t              n_updates = 0;
     std::vector<std::uint64_t> last_news;
   };

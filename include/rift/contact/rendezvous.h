@@ -57,6 +57,13 @@ namespace rift
     ContactNeighbourhood
     update(std::vector<ContactCell> news);
 
+    /** Bytes that the cells in the space of this rank take. */
+    std::uint64_t
+    bytes() const
+    {
+      return space.bytes();
+    }
+
   private:
     /** Space is divided anew when the rank with most cells has so many times
      * what it had when that was done last. */
@@ -66,7 +73,7 @@ namespace rift
     divide(const std::vector<ContactCell> &own);
 
     /** Sends cells to the ranks whose space they are in, or have been in. */
-    std::vector<ContactSpace::Guest>
+    std::vector<ContactSpace::RemoteCell>
     send_to_space_owners(std::vector<ContactCell> news);
 
     /** Tells all ranks of the pairs that concern them. */

@@ -1,6 +1,7 @@
 #ifndef rift_contact_sleeping_pairs_h
 #define rift_contact_sleeping_pairs_h
 
+#include <rift/base/memory_use.h>
 #include <rift/contact/packed_motion.h>
 
 #include <vector>
@@ -38,6 +39,13 @@ namespace rift
     size() const
     {
       return pairs.size();
+    }
+
+    /** Bytes that they take. */
+    std::uint64_t
+    bytes() const
+    {
+      return bytes_of(pairs) + bytes_of(wakes);
     }
 
     /** Replaces the positions of cells. */

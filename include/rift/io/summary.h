@@ -52,6 +52,10 @@ namespace rift
     std::uint64_t fragments      = 0;
     std::uint64_t contact_pairs  = 0;
 
+    /** Bytes that the parts of contact take at the end, on all ranks together;
+     * empty without contact. */
+    NamedNumbers contact_bytes;
+
     /** The terms of the energy ledger at the end, J. */
     NamedNumbers energy;
 
