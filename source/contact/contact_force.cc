@@ -134,19 +134,22 @@ namespace rift
           changed_vertices.push_back(vertex);
     std::vector<CellIndex> cells;
     for (const VertexIndex vertex : changed_vertices)
-      std::copy_if(topology.vertex_cells_first(vertex),
-                   topology.vertex_cells_last(vertex),
-                   std::back_inserter(cells),
-                   [this](const CellIndex cell) {
-                     return surveyed_at[cell] != invalid_index;
-                   });
+      std::for_each(
+        topology.vertex_cells_first(vertex),
+        topology.vertex_cells_last(vertex),
+        [&](const CellIndex cell) {
+          known_nodes.forget(
+            topology.node(cell, topology.corner_at_vertex(cell, vertex)));
+          if (surveyed_at[cell] != invalid_index)
+            cells.push_back(cell);
+        });
     changed_vertices.clear();
     std::sort(cells.begin(), cells.end());
     cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
     for (const CellIndex cell : cells)
       {
         ContactStiffness &stiffness = surveyed[surveyed_at[cell]].stiffness;
-        stiffness                   = interface.stiffnesses.of_cell(cell);
+        stiffness = interface.stiffnesses.of_cell(cell, known_nodes);
         members.set_stiffness_of(topology.cell_global_indices[cell], stiffness);
       }
   }

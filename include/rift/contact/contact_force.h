@@ -290,6 +290,9 @@ namespace rift
     KnownFaceStates          face_states;
     std::vector<VertexIndex> changed_vertices;
 
+    /** Stiffnesses of nodes around which nothing has changed. */
+    ContactStiffnesses::KnownNodes known_nodes;
+
     /** Own cells, and where each cell slot is among them. */
     std::vector<Surveyed>      surveyed;
     std::vector<std::uint32_t> surveyed_at;
