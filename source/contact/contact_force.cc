@@ -222,7 +222,7 @@ namespace rift
     const double move =
       time_step * largest_speed(motion_of(topology, state, cell));
     result.constants = interface.cells[cell];
-    result.stiffness = interface.stiffnesses.of_cell(cell);
+    result.stiffness = interface.stiffnesses.of_cell(cell, known_nodes);
     result.margin =
       std::max(margin_per_size * longest_edge(result.positions), 2 * move);
     next_survey = std::min(next_survey, path + result.margin - move);
@@ -341,7 +341,7 @@ namespace rift
             add_forces(cells.b, f.on_b, state, activity);
           }
       }
-    release_parted();
+    release_parted(state);
   }
 
   void

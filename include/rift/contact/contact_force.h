@@ -260,11 +260,12 @@ namespace rift
     /** Puts pairs to sleep or, if they are far apart, forgets them.
      * @return those that nothing parts. */
     std::vector<CellPair>
-    put_to_sleep(const std::vector<SleepingPairs::Pair> &pairs);
+    put_to_sleep(const State                            &state,
+                 const std::vector<SleepingPairs::Pair> &pairs);
 
     /** Pairs in play that do not overlap sleep again. */
     void
-    release_parted();
+    release_parted(const State &state);
 
     /** Keeps in mind that a pair lies in each other deep. */
     void
