@@ -49,6 +49,8 @@ namespace rift
   void
   ContactForce::start_pairs(const State &state)
   {
+    if (born.empty())
+      return;
     std::vector<SleepingPairs::Pair> pairs;
     for (const CellPair &pair : born)
       pairs.push_back({pair, no_axis});
