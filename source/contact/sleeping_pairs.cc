@@ -31,7 +31,8 @@ namespace rift
         {
           for (const Entry &entry : slots[next_slot])
             woken.push_back(entry.pair);
-          slots[next_slot].clear();
+          // Its memory as well: each may once have held most of the pairs.
+          slots[next_slot] = std::vector<Entry>();
         }
     };
     wake_before(slot_of(path));
