@@ -148,19 +148,22 @@ namespace rift
           changed_vertices.push_back(vertex);
     std::vector<CellIndex> cells;
     for (const VertexIndex vertex : changed_vertices)
-      std::copy_if(topology.vertex_cells_first(vertex),
-                   topology.vertex_cells_last(vertex),
-                   std::back_inserter(cells),
-                   [this](const CellIndex cell) {
-                     return surveyed_at[cell] != invalid_index;
-                   });
+      std::for_each(
+        topology.vertex_cells_first(vertex),
+        topology.vertex_cells_last(vertex),
+        [&](const CellIndex cell) {
+          known_nodes.forget(
+            topology.node(cell, topology.corner_at_vertex(cell, vertex)));
+          if (surveyed_at[cell] != invalid_index)
+            cells.push_back(cell);
+        });
     changed_vertices.clear();
     std::sort(cells.begin(), cells.end());
     cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
     for (const CellIndex cell : cells)
       {
         ContactStiffness &stiffness = surveyed[surveyed_at[cell]].stiffness;
-        stiffness                   = interface.stiffnesses.of_cell(cell);
+        stiffness = interface.stiffnesses.of_cell(cell, known_nodes);
         members.set_stiffness_of(topology.cell_global_indices[cell], stiffness);
       }
   }
@@ -233,7 +236,7 @@ namespace rift
       time_step * largest_speed(motion_of(topology, state, cell));
     result.included_at = never_included;
     result.constants   = interface.cells[cell];
-    result.stiffness   = interface.stiffnesses.of_cell(cell);
+    result.stiffness   = interface.stiffnesses.of_cell(cell, known_nodes);
     result.margin =
       std::max(margin_per_size * longest_edge(result.positions), 2 * move);
     next_survey = std::min(next_survey, path + result.margin - move);
@@ -358,7 +361,7 @@ namespace rift
             add_forces(cells.b, f.on_b, state, activity);
           }
       }
-    put_parted_to_sleep(parted);
+    put_parted_to_sleep(state, parted);
   }
 
   void

@@ -3,6 +3,7 @@
 #include <rift/contact/separation.h>
 
 #include <algorithm>
+#include <array>
 
 // Which pairs are active: their start, sleep and end.
 namespace rift
@@ -48,19 +49,17 @@ namespace rift
   void
   ContactForce::start_pairs(const State &state)
   {
+    if (found.empty())
+      return;
     // Of those that could touch before, and those that could not.
     std::vector<SleepingPairs::Pair> meeting, released;
     for (const FoundPair &pair : found)
-      {
-        members.pack(state, pair.cells);
-        (pair.may_overlap ? released : meeting)
-          .push_back({pair.cells, no_axis});
-      }
+      (pair.may_overlap ? released : meeting).push_back({pair.cells, no_axis});
     found.clear();
     std::vector<ContactPair> new_pairs;
-    for (const CellPair &pair : put_to_sleep(meeting))
+    for (const CellPair &pair : put_to_sleep(state, meeting))
       new_pairs.push_back(make_pair(pair));
-    const std::vector<CellPair>   near  = put_to_sleep(released);
+    const std::vector<CellPair>   near  = put_to_sleep(state, released);
     const std::vector<CommonPart> parts = common_parts(members.motions(), near);
     for (std::size_t i = 0; i < near.size(); ++i)
       {
@@ -71,35 +70,38 @@ namespace rift
   }
 
   std::vector<CellPair>
-  ContactForce::put_to_sleep(const std::vector<SleepingPairs::Pair> &pairs)
+  ContactForce::put_to_sleep(const State                            &state,
+                             const std::vector<SleepingPairs::Pair> &pairs)
   {
-    std::vector<CellPair>     cells;
-    std::vector<std::uint8_t> axes;
-    for (const SleepingPairs::Pair &pair : pairs)
+    // So few that their cells stay in the cache.
+    constexpr std::size_t                chunk_size = 64;
+    std::array<CellPair, chunk_size>     cells;
+    std::array<std::uint8_t, chunk_size> axes;
+    std::array<double, chunk_size>       gaps;
+    std::vector<CellPair>                near;
+    for (std::size_t first = 0; first < pairs.size(); first += chunk_size)
       {
-        cells.push_back(pair.cells);
-        axes.push_back(pair.axis);
-      }
-    std::vector<double> gaps(cells.size());
-    find_gaps(members.motions(),
-              cells.data(),
-              cells.size(),
-              axes.data(),
-              gaps.data());
-
-    std::vector<CellPair> near;
-    for (std::size_t i = 0; i < cells.size(); ++i)
-      {
-        // Farther than where they have been searched for, and where they may
-        // have gone since: they will be found again.
-        const double far =
-          2 * (members[cells[i].a].margin + members[cells[i].b].margin);
-        if (!(gaps[i] > 0))
-          near.push_back(cells[i]);
-        else if (gaps[i] > far)
-          members.disconnect(cells[i]);
-        else
-          sleeping.add({cells[i], axes[i]}, path + earliest * gaps[i]);
+        const std::size_t n = std::min(pairs.size() - first, chunk_size);
+        for (std::size_t i = 0; i < n; ++i)
+          {
+            cells[i] = pairs[first + i].cells;
+            axes[i]  = pairs[first + i].axis;
+            members.pack_positions(state, cells[i]);
+          }
+        find_gaps(members.motions(), cells.data(), n, axes.data(), gaps.data());
+        for (std::size_t i = 0; i < n; ++i)
+          {
+            // Farther than where they have been searched for, and where they
+            // may have gone since: they will be found again.
+            const double far = 2 * (members[cells[i].a].margin +
+                                    members[cells[i].b].margin);
+            if (!(gaps[i] > 0))
+              near.push_back(cells[i]);
+            else if (gaps[i] > far)
+              members.disconnect(cells[i]);
+            else
+              sleeping.add({cells[i], axes[i]}, path + earliest * gaps[i]);
+          }
       }
     return near;
   }
@@ -107,22 +109,20 @@ namespace rift
   void
   ContactForce::wake_pairs(const State &state)
   {
-    const std::vector<SleepingPairs::Pair> woken = sleeping.wake(path);
-    for (const SleepingPairs::Pair &pair : woken)
-      members.pack(state, pair.cells);
     std::vector<ContactPair> new_pairs;
-    for (const CellPair &pair : put_to_sleep(woken))
+    for (const CellPair &pair : put_to_sleep(state, sleeping.wake(path)))
       new_pairs.push_back(make_pair(pair));
     merge(std::move(new_pairs));
   }
 
   void
   ContactForce::put_parted_to_sleep(
+    const State                            &state,
     const std::vector<SleepingPairs::Pair> &parted)
   {
     if (parted.empty())
       return;
-    const std::vector<CellPair> near      = put_to_sleep(parted);
+    const std::vector<CellPair> near      = put_to_sleep(state, parted);
     auto                        next      = parted.begin();
     auto                        next_near = near.begin();
     const auto                  is = [](const CellPair &x, const CellPair &y) {

@@ -49,7 +49,7 @@ namespace rift
                               members.back().local :
                               invalid_index);
         packed.emplace_back();
-        packed_after.push_back(0);
+        packed_after.push_back({0, 0});
       }
     else
       // The stiffness is newer here.
@@ -212,7 +212,7 @@ namespace rift
           {
             const std::uint32_t position = sender.cells[i];
             packed[position]             = rift::pack(of_cells[i].motion);
-            packed_after[position]       = n_exchanges;
+            packed_after[position]       = {n_exchanges, n_exchanges};
             set_stiffness(position, of_cells[i].stiffness);
           }
       }
@@ -232,18 +232,29 @@ namespace rift
   void
   ContactMembers::pack(const State &state, const std::uint32_t position)
   {
-    if (packed_after[position] == n_exchanges)
+    if (packed_after[position].velocities == n_exchanges)
       return;
-    rift_check(own_cells[position] != invalid_index);
-    packed_after[position] = n_exchanges;
-    const CellIndex cell   = own_cells[position];
-    PackedMotion   &motion = packed[position];
+    pack_positions(state, position);
+    packed_after[position].velocities = n_exchanges;
+    for (unsigned int c = 0; c < n_corners; ++c)
+      packed[position].velocity[c] =
+        state.velocity[topology.node(own_cells[position], c)];
+  }
+
+  void
+  ContactMembers::pack_positions(const State        &state,
+                                 const std::uint32_t position)
+  {
+    if (packed_after[position].positions == n_exchanges)
+      return;
+    const CellIndex cell = own_cells[position];
+    rift_check(cell != invalid_index);
+    packed_after[position].positions = n_exchanges;
     for (unsigned int c = 0; c < n_corners; ++c)
       {
         const NodeIndex node = topology.node(cell, c);
-        motion.position[c].row() =
+        packed[position].position[c].row() =
           state.reference[node].row() + state.displacement[node].row();
-        motion.velocity[c] = state.velocity[node];
       }
   }
 } // namespace rift

@@ -4,13 +4,15 @@
 #include <rift/solid/principal_stresses.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace rift
 {
   namespace
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
+    constexpr double infinity = std::numeric_limits<double>::infinity(),
+                     unknown  = std::numeric_limits<double>::quiet_NaN();
 
     double
     largest_eigenvalue(const Matrix3<double> &symmetric)
@@ -31,8 +33,54 @@ namespace rift
     rift_check(this->spare_stiffness.size() == topology.n_cell_slots());
   }
 
+  void
+  ContactStiffnesses::KnownNodes::forget(const NodeIndex node)
+  {
+    for (std::vector<double> *values : {&touched, &inside})
+      if (node < values->size())
+        (*values)[node] = unknown;
+  }
+
   ContactStiffness
   ContactStiffnesses::of_cell(const CellIndex cell) const
+  {
+    return of_cell(
+      cell,
+      [this](const NodeIndex node) { return per_area_of_node(node); },
+      [this](const NodeIndex node) { return per_area_inside(node); });
+  }
+
+  ContactStiffness
+  ContactStiffnesses::of_cell(const CellIndex cell, KnownNodes &known) const
+  {
+    const auto find = [](std::vector<double> &values,
+                         const NodeIndex      node,
+                         const auto          &compute) {
+      if (node >= values.size())
+        values.resize(node + 1, unknown);
+      if (std::isnan(values[node]))
+        values[node] = compute(node);
+      return values[node];
+    };
+    return of_cell(
+      cell,
+      [&](const NodeIndex node) {
+        return find(known.touched, node, [this](const NodeIndex n) {
+          return per_area_of_node(n);
+        });
+      },
+      [&](const NodeIndex node) {
+        return find(known.inside, node, [this](const NodeIndex n) {
+          return per_area_inside(n);
+        });
+      });
+  }
+
+  template <typename PerAreaOfNode, typename PerAreaInside>
+  ContactStiffness
+  ContactStiffnesses::of_cell(const CellIndex      cell,
+                              const PerAreaOfNode &of_node,
+                              const PerAreaInside &inside) const
   {
     ContactStiffness result{infinity, infinity};
     for (unsigned int face = 0; face < n_corners; ++face)
@@ -44,15 +92,14 @@ namespace rift
           is_touched |= face != corner && is_exposed(cell, face);
         if (is_touched)
           result.per_area =
-            std::min(result.per_area,
-                     per_area_of_node(topology.node(cell, corner)));
+            std::min(result.per_area, of_node(topology.node(cell, corner)));
       }
     if (result.per_area < infinity || spare_stiffness[cell] == infinity)
       return result;
 
     for (unsigned int corner = 0; corner < n_corners; ++corner)
       result.per_area =
-        std::min(result.per_area, per_area_inside(topology.node(cell, corner)));
+        std::min(result.per_area, inside(topology.node(cell, corner)));
     return result;
   }
 

@@ -3,6 +3,7 @@
 #include <rift/contact/rendezvous.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace rift
 {
@@ -39,28 +40,27 @@ namespace rift
     ContactNeighbourhood
     select(const ContactSpace &space, const std::vector<CellPair> &pairs)
     {
-      std::vector<std::uint32_t> numbers;
+      // Names, and the numbers of the cells.
+      using Name = std::pair<GlobalCellIndex, std::uint32_t>;
+      std::vector<Name> names;
+      const auto        name = [&](const std::uint32_t number) {
+        return Name(space.cell(number).cell, number);
+      };
       for (const CellPair &pair : pairs)
         {
-          numbers.push_back(pair.a);
-          numbers.push_back(pair.b);
+          names.push_back(name(pair.a));
+          names.push_back(name(pair.b));
         }
-      const auto name = [&](const std::uint32_t number) {
-        return space.cell(number).cell;
-      };
-      const auto is_before = [&](const std::uint32_t x, const std::uint32_t y) {
-        return name(x) < name(y);
-      };
-      std::sort(numbers.begin(), numbers.end(), is_before);
-      numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+      std::sort(names.begin(), names.end());
+      names.erase(std::unique(names.begin(), names.end()), names.end());
       const auto position = [&](const std::uint32_t number) {
         return static_cast<std::uint32_t>(
-          std::lower_bound(numbers.begin(), numbers.end(), number, is_before) -
-          numbers.begin());
+          std::lower_bound(names.begin(), names.end(), name(number)) -
+          names.begin());
       };
       ContactNeighbourhood result;
-      for (const std::uint32_t number : numbers)
-        result.cells.push_back(space.cell(number));
+      for (const Name &n : names)
+        result.cells.push_back(space.cell(n.second));
       for (const CellPair &pair : pairs)
         result.pairs.push_back({position(pair.a), position(pair.b)});
       std::sort(result.pairs.begin(), result.pairs.end(), comes_before);

@@ -67,9 +67,11 @@ namespace rift
                 height = std::min(height, least_height(topology, state, cell));
               });
             watched_at[vertex] = static_cast<std::uint32_t>(watched.size());
-            watched.push_back({vertex, distance * height, 0});
+            watched.push_back({vertex, distance * height, 0, {}});
           }
-        watched[watched_at[vertex]].wake = 0;
+        Watched &w = watched[watched_at[vertex]];
+        w.wake     = 0;
+        w.nodes.clear();
       }
   }
 
@@ -83,26 +85,25 @@ namespace rift
     return divided;
   }
 
-  std::vector<VertexGroups::Member>
-  VertexGroups::members_at(const State &state, const VertexIndex vertex) const
+  std::vector<VertexGroups::GroupedNode>
+  VertexGroups::nodes_at(const VertexIndex vertex) const
   {
-    std::vector<Member>    members;
-    const CellIndex *const first = topology.vertex_cells_first(vertex);
-    const std::uint32_t    begin = begin_at[vertex];
+    std::vector<GroupedNode> nodes;
+    const CellIndex *const   first = topology.vertex_cells_first(vertex);
+    const std::uint32_t      begin = begin_at[vertex];
     for (auto cell = first; cell != topology.vertex_cells_last(vertex); ++cell)
       {
         const NodeIndex node =
           topology.node(*cell, topology.corner_at_vertex(*cell, vertex));
-        if (std::none_of(members.begin(),
-                         members.end(),
-                         [node](const Member &m) { return m.node == node; }))
-          members.push_back(
+        if (std::none_of(
+              nodes.begin(),
+              nodes.end(),
+              [node](const GroupedNode &n) { return n.node == node; }))
+          nodes.push_back(
             {node,
-             begin == invalid_index ? 0 : groups[begin + (cell - first)],
-             state.displacement[node].vector(),
-             never});
+             begin == invalid_index ? 0 : groups[begin + (cell - first)]});
       }
-    return members;
+    return nodes;
   }
 
   double
@@ -139,10 +140,16 @@ namespace rift
   bool
   VertexGroups::divide_at(const State &state, const double path, Watched &w)
   {
-    std::vector<Member> members  = members_at(state, w.vertex);
-    std::uint32_t       n_groups = 0;
-    for (const Member &m : members)
-      n_groups = std::max(n_groups, m.group + 1);
+    if (w.nodes.empty())
+      w.nodes = nodes_at(w.vertex);
+    rift_check(w.nodes.size() == nodes_at(w.vertex).size());
+    std::uint32_t n_groups = 0;
+    members.clear();
+    for (const GroupedNode &n : w.nodes)
+      {
+        members.push_back({n, state.displacement[n.node].vector(), never});
+        n_groups = std::max(n_groups, n.group + 1);
+      }
 
     const std::uint32_t n_before = n_groups;
     double              slack    = never;
@@ -159,6 +166,7 @@ namespace rift
     w.wake = path + .5 * (1 - 1e-9) * slack;
     if (n_groups == n_before)
       return false;
+    w.nodes.clear();
 
     std::uint32_t *group = groups_at(w.vertex);
     std::for_each(

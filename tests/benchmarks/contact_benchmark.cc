@@ -213,6 +213,9 @@ namespace rift::test
       LooseCells cells(bench.range(0));
       cells.grow(growth);
       cells.set_travel(1e-4 * granite_edge);
+      // The pairs are born.
+      cells.follow();
+      cells.add_forces();
       for (auto _ : bench)
         {
           bench.PauseTiming();

@@ -136,6 +136,31 @@ TEST(ContactPenalty, CohesiveElementsHaveTheirShare)
     }
 }
 
+TEST(ContactPenalty, NodesAreKnownUntilTheyAreForgotten)
+{
+  const double    h         = 2e-3;
+  DiscreteBody    body      = discretize(make_box({{4, 4, 2}}, h), {density});
+  const CellIndex cell      = cell_inside_of_top(body, h, 2 * h);
+  const auto     &own_faces = body.topology.cell_faces[cell];
+
+  ContactStiffnesses::KnownNodes known;
+  const auto                     of = [&](const bool by_known) {
+    return (by_known ? stiffnesses(body).of_cell(cell, known) :
+                                           stiffnesses(body).of_cell(cell))
+      .per_area;
+  };
+  const double before = of(false);
+  EXPECT_EQ(of(true), before);
+  for (const FaceIndex face : own_faces)
+    if (face != invalid_index)
+      body.topology.face_states[face] = FaceState::cut;
+  EXPECT_NE(of(false), before);
+  EXPECT_EQ(of(true), before);
+  for (unsigned int c = 0; c < n_corners; ++c)
+    known.forget(body.topology.node(cell, c));
+  EXPECT_EQ(of(true), of(false));
+}
+
 TEST(ContactPenalty, OfPairs)
 {
   const ContactStiffness a{3e15, 1e-3}, b{1e15, 4e-3},

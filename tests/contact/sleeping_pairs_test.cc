@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <random>
+#include <set>
 
 using namespace rift;
 
@@ -50,4 +52,30 @@ TEST(SleepingPairs, FollowTheirCells)
   EXPECT_EQ(woken[0].cells.a, 0u);
   EXPECT_EQ(woken[0].cells.b, 2u);
   EXPECT_EQ(woken[0].axis, 7);
+}
+
+TEST(SleepingPairs, WakeHoweverThePathGrows)
+{
+  // Nothing moves, then slower and faster, then something without bounds.
+  const double          infinity = std::numeric_limits<double>::infinity();
+  SleepingPairs         pairs;
+  std::multiset<double> wakes;
+  std::uint32_t         n = 0;
+  for (const double path :
+       {0., 0., 1e-9, 1e-3, 1e-3, .5, .6, 70., 71., 71.1, 1e4, infinity})
+    {
+      for (const double sleep :
+           {-.2, 0., 1e-12, 1e-4, .3, 1., 40., 1e3, 1e5, 1e9})
+        {
+          pairs.add({{n, n + 1}, 0}, path + sleep);
+          wakes.insert(path + sleep);
+          ++n;
+        }
+      const auto last_awake = wakes.upper_bound(path);
+      EXPECT_EQ(static_cast<std::ptrdiff_t>(pairs.wake(path).size()),
+                std::distance(wakes.begin(), last_awake));
+      wakes.erase(wakes.begin(), last_awake);
+      EXPECT_EQ(pairs.size(), wakes.size());
+    }
+  EXPECT_EQ(pairs.size(), 0u);
 }

@@ -285,12 +285,14 @@ namespace rift
     /** Puts pairs to sleep or, if they are far apart, forgets them.
      * @return those that nothing parts. */
     std::vector<CellPair>
-    put_to_sleep(const std::vector<SleepingPairs::Pair> &pairs);
+    put_to_sleep(const State                            &state,
+                 const std::vector<SleepingPairs::Pair> &pairs);
 
     /** Active pairs that do not overlap sleep again.
      * @param parted such pairs, in the order of `active`. */
     void
-    put_parted_to_sleep(const std::vector<SleepingPairs::Pair> &parted);
+    put_parted_to_sleep(const State                            &state,
+                        const std::vector<SleepingPairs::Pair> &parted);
 
     /** Keeps in mind that a pair lies in each other deep. */
     void
@@ -315,6 +317,9 @@ namespace rift
      * since. */
     KnownFaceStates          face_states;
     std::vector<VertexIndex> changed_vertices;
+
+    /** Stiffnesses of nodes around which nothing has changed. */
+    ContactStiffnesses::KnownNodes known_nodes;
 
     /** Own cells, and where each cell slot is among them. */
     std::vector<Surveyed>      surveyed;

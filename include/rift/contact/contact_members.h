@@ -133,6 +133,14 @@ namespace rift
       pack(state, pair.b);
     }
 
+    /** Likewise, but where they are alone. */
+    void
+    pack_positions(const State &state, const CellPair &pair)
+    {
+      pack_positions(state, pair.a);
+      pack_positions(state, pair.b);
+    }
+
     /** By position; up to date for cells that have been packed since the last
      * receive(). */
     const PackedMotion *
@@ -152,6 +160,9 @@ namespace rift
     void
     pack(const State &state, std::uint32_t position);
 
+    void
+    pack_positions(const State &state, std::uint32_t position);
+
     const Topology     &topology;
     const Communicator &communicator;
 
@@ -160,9 +171,14 @@ namespace rift
     std::vector<CellIndex>                             own_cells;
     std::vector<PackedMotion>                          packed;
 
-    /** Number of exchanges, and the last one after which a member was packed. */
-    std::uint64_t              n_exchanges = 1;
-    std::vector<std::uint64_t> packed_after;
+    /** Number of exchanges, and the last ones after which the velocities and the
+     * positions of a member were packed. */
+    struct Packed
+    {
+      std::uint64_t velocities, positions;
+    };
+    std::uint64_t       n_exchanges = 1;
+    std::vector<Packed> packed_after;
 
     std::vector<Partner> receivers, senders;
     PendingExchange      reports;

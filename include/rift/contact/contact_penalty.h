@@ -61,7 +61,30 @@ namespace rift
     ContactStiffness
     of_cell(CellIndex cell) const;
 
+    /** Stiffnesses of nodes, Pa/m, kept for of_cell(): per_area_of_node() and
+     * per_area_inside(); not a number where it is not known. */
+    struct KnownNodes
+    {
+      /** Has a node be computed anew: faces or cells around it have changed. */
+      void
+      forget(NodeIndex node);
+
+      /** By node; nodes beyond the end are not known. */
+      std::vector<double> touched, inside;
+    };
+
+    /** Likewise, where nodes are known. */
+    ContactStiffness
+    of_cell(CellIndex cell, KnownNodes &known) const;
+
   private:
+    /** Of a cell by functions of its nodes. */
+    template <typename PerAreaOfNode, typename PerAreaInside>
+    ContactStiffness
+    of_cell(CellIndex            cell,
+            const PerAreaOfNode &of_node,
+            const PerAreaInside &inside) const;
+
     /** Pa/m: of a node at a face that may be touched. */
     double
     per_area_of_node(NodeIndex node) const;

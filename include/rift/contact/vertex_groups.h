@@ -58,6 +58,13 @@ namespace rift
     load(const Archive &archive);
 
   private:
+    /** A node at a vertex and its group. */
+    struct GroupedNode
+    {
+      NodeIndex     node;
+      std::uint32_t group;
+    };
+
     /** A vertex that is looked at. */
     struct Watched
     {
@@ -68,21 +75,22 @@ namespace rift
 
       /** The path at which this can happen at the earliest, m. */
       double wake;
+
+      /** The nodes there; empty if they or their groups may have changed. */
+      std::vector<GroupedNode> nodes;
     };
 
     /** A node at a vertex, and how far it is from those of its group that have
      * been reached so far, m. */
-    struct Member
+    struct Member : GroupedNode
     {
-      NodeIndex       node;
-      std::uint32_t   group;
       Vector3<double> displacement;
       double          nearest;
     };
 
     /** The nodes at a vertex in the order of its cells. */
-    std::vector<Member>
-    members_at(const State &state, VertexIndex vertex) const;
+    std::vector<GroupedNode>
+    nodes_at(VertexIndex vertex) const;
 
     /** Gives the nodes of a group that do not hang together numbers of their
      * own.
@@ -104,6 +112,9 @@ namespace rift
 
     const Topology &topology;
     const double    distance;
+
+    /** Those at the vertex that is being looked at. */
+    std::vector<Member> members;
 
     std::vector<Watched>       watched;
     std::vector<std::uint32_t> watched_at;
