@@ -150,7 +150,7 @@ namespace rift
               std::max(largest_slip, norm(jump - opening * frame.normal));
           }
         if ((is_open && largest_opening > contact_opening * size) ||
-            largest_slip > Bonds::slip_to_contact * size)
+            largest_slip > slip_to_contact * size)
           state = FaceState::released;
       }
   }

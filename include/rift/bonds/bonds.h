@@ -2,7 +2,7 @@
 #define rift_bonds_bonds_h
 
 #include <rift/base/plain_bytes.h>
-#include <rift/bonds/bond_law.h>
+#include <rift/bonds/bond_solver.h>
 #include <rift/bonds/crack_faces.h>
 #include <rift/bonds/crack_planes.h>
 #include <rift/bonds/node_strengths.h>
@@ -17,84 +17,6 @@
 
 namespace rift
 {
-  /** Energy that bonds have used, J. */
-  struct BondEnergy
-  {
-    /** By damage, by sliding under pressure, and by closing of open bonds, which
-     * is an inelastic impact. */
-    double fracture = 0, friction = 0, closing = 0;
-  };
-
-  /**
-   * What holds two nodes together that a crack has parted at a vertex: all cut
-   * faces between their cells are one bond, whose area and traction are those of
-   * its crack plane (doc/theory.md, eq. O6 to O13).
-   */
-  struct Bond
-  {
-    /** Its nodes among those of the vertex; the first has the smaller cell. */
-    std::uint32_t parts[2];
-
-    /** Unit normal of the crack plane, from the first node to the second, in
-     * the undeformed body and now; projected area, m^2. */
-    Vector3<double> plane, normal;
-    double          area;
-
-    /** Root of the mean area of its faces, m. */
-    double size;
-
-    /** Strength of the plane, and what is left of it. */
-    FaceStrength    strength;
-    BondLaw::Memory memory;
-
-    /** What the second node does to the first, per projected area, Pa. */
-    Vector3<double> traction;
-
-    /** Up to t_n. */
-    BondEnergy energy;
-
-    /** Whether it has yet to go through its first step, which sets its excess;
-     * whether its energy up to t_n is known already; whether its nodes have
-     * moved as one since the last step. */
-    bool is_new, is_counted, is_tied;
-
-    /** Whether contact has taken over all of its faces: it bears nothing. */
-    bool is_released;
-
-    /** Its faces: a range of VertexBonds::fan. */
-    std::uint32_t fan_begin, fan_end;
-  };
-
-  /** The bonds at one vertex. */
-  struct VertexBonds
-  {
-    /** Where, and whether the surface of the body is there. */
-    VertexIndex vertex;
-    bool        is_on_surface;
-
-    /** The nodes, by their smallest cells, and the bonds between them. */
-    std::vector<NodeIndex> parts;
-    std::vector<Bond>      bonds;
-
-    /** A face of a bond. */
-    struct FanFace
-    {
-      /** Index in CrackFaces, and the corner of the face at this vertex. */
-      std::uint32_t face;
-      std::uint8_t  corner;
-
-      /** Crack plane in the frame of the undeformed face, times its area. */
-      Vector3<double> plane;
-    };
-    std::vector<FanFace> fan;
-
-    /** For each part the first of those that bonds connect it to; and for the
-     * others the inverse of the Laplacian of the bonds with their areas as
-     * weights, 1/m^2, row by row. */
-    std::vector<std::uint32_t> root;
-    std::vector<double>        inverse;
-  };
-
   /** A bond in a checkpoint. */
   struct BondRecord
   {
@@ -143,10 +65,6 @@ namespace rift
      * been cut as it was. */
     void
     restore(const State &state, const std::vector<BondRecord> &records);
-
-    /** Slip over the size of a face from which a failed bond leaves pressure to
-     * contact, and slip over which it does so. */
-    static constexpr double slip_to_contact = .1, slip_of_fading = .05;
 
     /**
      * Ends bonds all of whose faces have been released and that are open or have
@@ -206,25 +124,6 @@ namespace rift
     }
 
   private:
-    /** Numbers of the solution at one vertex, kept to save allocations. */
-    struct Work
-    {
-      /** By part: velocity after the kick, inverse mass by component, force that
-       * keeps it with the others, and potential of these forces. */
-      std::vector<Vector3<double>> velocity, inverse_mass, bond_force,
-        potential;
-
-      /** By part: sum of mass and of momentum over those with the same root. */
-      std::vector<double>          mass;
-      std::vector<Vector3<double>> momentum;
-
-      /** By bond: traction of the step before; traction by component that a
-       * relative velocity makes when it is stopped within a step; opening; and
-       * the part of the pressure that it bears. */
-      std::vector<Vector3<double>> before, stiffness;
-      std::vector<double>          gap, pressure_share;
-    };
-
     /** The bond that there was between two nodes, from the first to the second;
      * called once for each pair. */
     using Heritage =
@@ -246,69 +145,20 @@ namespace rift
                  const std::vector<CutCorner> &corners,
                  const State                  &state);
 
-    /** Finds the parts that bonds connect, and the inverse of their
-     * Laplacian. */
-    static void
-    set_laplacian(VertexBonds &group);
-
-    /** Part of the pressure that a bond bears: less than 1 once it has failed and
-     * slid so far that contact takes over. */
-    double
-    pressure_share(const VertexBonds &group,
-                   const Bond        &bond,
-                   const State       &state) const;
-
     /** Turns the normals with the faces. */
     void
     update_normals(VertexBonds &group, const State &state) const;
-
-    /** Velocities after the kick without bonds; whether a component is
-     * prescribed. */
-    bool
-    kick(const VertexBonds            &group,
-         const State                  &state,
-         double                        time_step,
-         const PrescribedAcceleration &prescribed);
-
-    /**
-     * Keeps all parts together, with the smallest mean square of traction.
-     *
-     * @return whether all bonds bear it; otherwise nothing has changed.
-     */
-    bool
-    tie(VertexBonds &group, const State &state, double time_step);
-
-    /** Prepares solve(), with the tractions of the last step. */
-    void
-    prepare(VertexBonds &group, const State &state, double time_step);
-
-    /** Changes the velocities of the nodes of a bond by a traction. */
-    void
-    push(const Bond &bond, const Vector3<double> &traction, double time_step);
-
-    /** Finds the tractions, bond by bond and again until they agree. */
-    void
-    solve(VertexBonds &group, double time_step);
-
-    /** Adds the forces, and updates what the bonds remember. */
-    void
-    finish(VertexBonds &group, State &state, double time_step, bool is_tied);
-
-    /** Damages a bond by the motion of its nodes. */
-    void
-    soften(const VertexBonds &group, Bond &bond, double time_step);
 
     const Topology          &topology;
     const ReferenceCellData &reference;
     const NodeStrengths     &strengths;
     const CrackPlanes       &planes;
-    const BondLaw            law;
+    BondSolver               solver;
 
     CrackFaces                                     crack_faces;
     std::vector<VertexBonds>                       groups;
     std::unordered_map<VertexIndex, std::uint32_t> group_of_vertex;
     std::vector<VertexBonds::FanFace>              failed_corners;
-    Work                                           work;
   };
 } // namespace rift
 

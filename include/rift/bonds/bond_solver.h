@@ -1,0 +1,97 @@
+#ifndef rift_bonds_bond_solver_h
+#define rift_bonds_bond_solver_h
+
+#include <rift/base/simd.h>
+#include <rift/bonds/vertex_bonds.h>
+#include <rift/discretization/prescribed_acceleration.h>
+
+#include <vector>
+
+namespace rift
+{
+  /**
+   * Finds the tractions of the bonds at one vertex (doc/theory.md, eq. O8): those
+   * that keep all parts together, if the bonds bear them, otherwise those of the
+   * envelopes.
+   */
+  class BondSolver
+  {
+  public:
+    /**
+     * Adds the forces of the bonds to the state's, and updates what the bonds
+     * remember. All other forces are known.
+     *
+     * @param prescribed the acceleration of a component where it is prescribed.
+     * @return whether a bond has failed in this step.
+     */
+    bool
+    hold(VertexBonds                  &group,
+         State                        &state,
+         double                        time_step,
+         const PrescribedAcceleration &prescribed);
+
+    /** The law of all bonds. */
+    const BondLaw law;
+
+  private:
+    /** Velocities after the kick without bonds; whether a component is
+     * prescribed. */
+    bool
+    kick(VertexBonds                  &group,
+         const State                  &state,
+         double                        time_step,
+         const PrescribedAcceleration &prescribed);
+
+    /**
+     * Keeps all parts together, with the smallest mean square of traction.
+     *
+     * @return whether all bonds bear it; otherwise nothing has changed.
+     */
+    bool
+    tie(VertexBonds &group, State &state, double time_step);
+
+    /** Counts the energy of a bond and sets the excess of a new one, once its
+     * traction is known. */
+    static void
+    finish(const VertexBonds     &group,
+           Bond                  &bond,
+           const Vector3<double> &traction_before,
+           const State           &state,
+           double                 time_step);
+
+    /** Finds the tractions, bond by bond and again until they agree. */
+    void
+    solve(VertexBonds &group, const State &state, double time_step);
+
+    /** Prepares that, with the tractions of the last step. */
+    void
+    prepare(VertexBonds &group, const State &state, double time_step);
+
+    /** Changes the velocities of the nodes of a bond by a traction. */
+    void
+    push(const Bond            &bond,
+         const Vector3<double> &traction,
+         double                 time_step);
+
+    /** Damages a bond by the motion of its nodes; whether it fails. */
+    bool
+    soften(Bond &bond, double time_step) const;
+
+    /** By part: velocity after the kick, force that keeps it with the others, and
+     * potential of these forces; inverse mass by component. */
+    std::vector<Row>             velocity, bond_force, potential;
+    std::vector<Vector3<double>> inverse_mass;
+
+    /** By part: sum of mass and of momentum over those with the same root. */
+    std::vector<double> mass;
+    std::vector<Row>    momentum;
+
+    /** By bond: traction of the step before; traction by component that a relative
+     * velocity makes when it is stopped within a step; opening; and the part of
+     * the pressure that it bears. */
+    std::vector<Vector3<double>> before, stiffness;
+    std::vector<double>          gap, share;
+  };
+} // namespace rift
+
+#endif

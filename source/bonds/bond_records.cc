@@ -1,0 +1,91 @@
+#include <rift/bonds/bonds.h>
+#include <rift/bonds/node_star.h>
+
+#include <algorithm>
+#include <map>
+
+// What a checkpoint keeps of bonds.
+namespace rift
+{
+  std::vector<BondRecord>
+  Bonds::records() const
+  {
+    std::vector<BondRecord> result;
+    for (const VertexBonds &group : groups)
+      for (const Bond &bond : group.bonds)
+        if (topology.owns_node(group.parts[0]))
+          {
+            BondRecord record{};
+            for (unsigned int side = 0; side < 2; ++side)
+              {
+                const StarCell first =
+                  cells_at_node(topology, group.parts[bond.parts[side]])[0];
+                record.cells[side]   = topology.cell_global_indices[first.cell];
+                record.corners[side] = first.corner;
+              }
+            record.is_tied     = bond.is_tied ? 1 : 0;
+            record.is_released = bond.is_released ? 1 : 0;
+            record.plane       = bond.plane;
+            record.normal      = bond.normal;
+            record.traction    = bond.traction;
+            record.damage      = bond.memory.damage;
+            record.excess      = bond.memory.excess;
+            record.fracture    = bond.energy.fracture;
+            record.friction    = bond.energy.friction;
+            record.closing     = bond.energy.closing;
+            result.push_back(record);
+          }
+    return result;
+  }
+
+  void
+  Bonds::restore(const State &state, const std::vector<BondRecord> &records)
+  {
+    std::map<std::pair<NodeIndex, NodeIndex>, const BondRecord *> by_nodes;
+    std::vector<VertexIndex>                                      vertices;
+    for (const BondRecord &record : records)
+      {
+        const CellIndex a = topology.find_cell(record.cells[0]),
+                        b = topology.find_cell(record.cells[1]);
+        if (a == invalid_index || b == invalid_index)
+          continue;
+        const NodeIndex nodes[2] = {topology.node(a, record.corners[0]),
+                                    topology.node(b, record.corners[1])};
+        if (!topology.is_complete(topology.node_vertices[nodes[0]]))
+          continue;
+        by_nodes[{nodes[0], nodes[1]}] = &record;
+        vertices.push_back(topology.node_vertices[nodes[0]]);
+      }
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()),
+                   vertices.end());
+    for (const VertexIndex vertex : vertices)
+      {
+        group_of_vertex[vertex] = static_cast<std::uint32_t>(groups.size());
+        groups.push_back(make_group(
+          state,
+          vertex,
+          [&](const NodeIndex first,
+              const NodeIndex second) -> std::optional<Bond> {
+            const BondRecord &record = *by_nodes.at({first, second});
+            Bond              bond{};
+            bond.plane            = record.plane;
+            bond.traction         = record.traction;
+            bond.memory.damage    = record.damage;
+            bond.memory.excess    = record.excess;
+            bond.memory.softening = solver.law.softening_at(record.damage);
+            bond.energy  = {record.fracture, record.friction, record.closing};
+            bond.is_tied = record.is_tied != 0;
+            bond.is_released = record.is_released != 0;
+            return bond;
+          }));
+        // They are as of the step in which they were turned last.
+        VertexBonds &group = groups.back();
+        for (Bond &bond : group.bonds)
+          bond.normal =
+            by_nodes
+              .at({group.parts[bond.parts[0]], group.parts[bond.parts[1]]})
+              ->normal;
+      }
+  }
+} // namespace rift
