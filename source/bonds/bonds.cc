@@ -19,6 +19,34 @@ namespace rift
      * them. */
     constexpr std::uint64_t steps_of_normal = 16;
 
+    /** Brings what a vertex has into the cache: it is scattered over memory. */
+    void
+    prefetch(const VertexBonds &group)
+    {
+      __builtin_prefetch(group.parts.data());
+      __builtin_prefetch(group.masses.data());
+      __builtin_prefetch(group.root.data());
+      const char *const inverse =
+        reinterpret_cast<const char *>(group.inverse.data());
+      for (std::size_t i = 0; i < group.inverse.size() * sizeof(double); i += 64)
+        __builtin_prefetch(inverse + i);
+      const char *const bonds =
+        reinterpret_cast<const char *>(group.bonds.data());
+      for (std::size_t i = 0; i < group.bonds.size() * sizeof(Bond); i += 64)
+        __builtin_prefetch(bonds + i);
+    }
+
+    /** And what its nodes have. */
+    void
+    prefetch(const VertexBonds &group, const State &state)
+    {
+      for (const NodeIndex node : group.parts)
+        {
+          __builtin_prefetch(&state.velocity[node]);
+          __builtin_prefetch(&state.force[node]);
+        }
+    }
+
     Vector3<double>
     relative_velocity(const VertexBonds &group,
                       const Bond        &bond,
@@ -265,8 +293,13 @@ namespace rift
               const PrescribedAcceleration &prescribed)
   {
     failed_corners.clear();
-    for (VertexBonds &group : groups)
+    for (std::size_t g = 0; g < groups.size(); ++g)
       {
+        if (g + 4 < groups.size())
+          prefetch(groups[g + 4]);
+        if (g + 2 < groups.size())
+          prefetch(groups[g + 2], state);
+        VertexBonds &group = groups[g];
         if (group.n_active == 0)
           continue;
         if (state.step % steps_of_normal == 0)
