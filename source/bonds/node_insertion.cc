@@ -20,6 +20,10 @@ namespace rift
     /** Cosine of the angle between planes that count as parallel. */
     constexpr double cosine_of_parallel = .8;
 
+    /** Steps from one search for candidates to the next: those that are chosen
+     * have been cut by then. */
+    constexpr std::uint64_t steps_per_look = 2;
+
     /** Steps after which a node is tried again whose star could not be cut. */
     constexpr std::uint64_t steps_to_next_look = 50;
   } // namespace
@@ -90,7 +94,9 @@ namespace rift
              is_on_front(candidate.node, cells) || !is_beside_crack(cells)))
           cut(state, candidate, cells, news);
       }
-    find_candidates(state, hot_cells);
+    candidates.clear();
+    if (state.step % steps_per_look == 0)
+      find_candidates(state, hot_cells);
     for (const CrackCandidate &candidate : candidates)
       for (const auto &[cell, corner] : cells_at_node(topology, candidate.node))
         news.push_back({cell,
@@ -167,7 +173,6 @@ namespace rift
   NodeInsertion::find_candidates(const State                  &state,
                                  const std::vector<CellIndex> &hot_cells)
   {
-    candidates.clear();
     for (const NodeIndex node : with_demand)
       demands[node] = 0;
     with_demand.clear();
@@ -371,8 +376,6 @@ namespace rift
         next_look[candidate.node] = state.step + steps_to_next_look;
         return;
       }
-    // Its faces are cut in the step after this one.
-    next_look[candidate.node]    = state.step + 2;
     const CrackPlanes::Part part = {plane, best->projected_area / 3};
     add_plane(vertex, part);
     for (const auto &[cell, corner] : cells)
