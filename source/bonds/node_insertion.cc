@@ -11,7 +11,7 @@ namespace rift
   {
     /** A candidate beside a crack waits until its demand is larger by so
      * much. */
-    constexpr double margin_beside_crack = .2;
+    constexpr double margin_beside_crack = .5;
 
     /** A plane of a crack around is taken if it bears at most this much less
      * than the weakest one. */
