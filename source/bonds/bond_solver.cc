@@ -13,33 +13,34 @@ namespace rift
       return {{row[0], row[1], row[2]}};
     }
 
+    Row
+    row(const Vector3<double> &vector)
+    {
+      return Row{vector[0], vector[1], vector[2], 0};
+    }
+
+    double
+    product(const Row &a, const Row &b)
+    {
+      const Row p = a * b;
+      return p[0] + p[1] + p[2];
+    }
+
     /** Whether a bond bears a traction. */
     bool
     bears(const Bond            &bond,
           const Vector3<double> &traction,
           const double           pressure_share)
     {
-      const FaceStrength &strength = bond.strength;
-      const double limit  = bond.memory.softening + bond.memory.excess;
       const double normal = dot(traction, bond.normal);
-      double       friction = strength.tan_friction_angle;
-      if (normal > 0)
-        {
-          if (normal > limit * strength.tensile_strength)
-            return false;
-        }
-      else
-        {
-          if (pressure_share < 1)
-            return false;
-          friction = BondLaw::friction(strength, bond.memory);
-        }
-      const double largest_shear =
-        limit * strength.cohesion - friction * normal;
-      const double shear_squared =
-        std::max(0., dot(traction, traction) - normal * normal);
-      return largest_shear >= 0 &&
-             shear_squared <= largest_shear * largest_shear;
+      if (normal < 0 && pressure_share < 1)
+        return false;
+      const BondLaw::Borne borne =
+        BondLaw::bear(BondLaw::envelope(bond.strength, bond.memory),
+                      normal,
+                      std::max(0., dot(traction, traction) - normal * normal),
+                      normal);
+      return borne.normal == normal && borne.shear_factor == 1;
     }
 
     Vector3<double>
@@ -64,24 +65,21 @@ namespace rift
       share[i] = pressure_share(group, group.bonds[i], state);
     if (!is_moved && tie(group, state, time_step))
       return false;
-    before.resize(group.bonds.size());
-    for (std::size_t i = 0; i < group.bonds.size(); ++i)
-      before[i] = group.bonds[i].traction;
     prepare(group, state, time_step);
-    solve(group, state, time_step);
+    solve(group);
     bool any_fails = false;
-    for (std::size_t i = 0; i < group.bonds.size(); ++i)
+    for (const Unknown &unknown : unknowns)
       {
-        Bond &bond = group.bonds[i];
-        if (bond.is_released)
-          continue;
+        Bond                 &bond            = group.bonds[unknown.place];
+        const Vector3<double> traction_before = bond.traction;
+        bond.traction                         = vector(unknown.traction);
         for (unsigned int d = 0; d < dim; ++d)
           {
             const double force = bond.area * bond.traction[d];
             state.force[group.parts[bond.parts[0]]][d] += force;
             state.force[group.parts[bond.parts[1]]][d] -= force;
           }
-        finish(group, bond, before[i], state, time_step);
+        finish(group, bond, traction_before, state, time_step);
         bond.is_tied = false;
         any_fails |= soften(bond, time_step);
       }
@@ -98,9 +96,9 @@ namespace rift
     const std::size_t n = group.parts.size();
     velocity.resize(n);
     for (std::size_t p = 0; p < n; ++p)
-      velocity[p] = state.velocity[group.parts[p]].row() +
-                    (time_step / group.masses[p]) *
-                      state.force[group.parts[p]].row();
+      velocity[p] =
+        state.velocity[group.parts[p]].row() +
+        (time_step / group.masses[p]) * state.force[group.parts[p]].row();
     if (group.prescribed == Prescribed::no)
       return false;
     group.prescribed = Prescribed::no;
@@ -108,8 +106,8 @@ namespace rift
       for (unsigned int d = 0; d < dim; ++d)
         if (const auto acceleration = prescribed(group.parts[p], d))
           {
-            velocity[p][d] = state.velocity[group.parts[p]][d] +
-                             time_step * *acceleration;
+            velocity[p][d] =
+              state.velocity[group.parts[p]][d] + time_step * *acceleration;
             group.prescribed = Prescribed::yes;
           }
     inverse_mass.resize(n);
@@ -174,119 +172,105 @@ namespace rift
                      const State           &state,
                      const double           time_step)
   {
-    count_energy(bond,
-                 .5 * (bond.is_counted ? bond.traction :
-                                         bond.traction + traction_before),
-                 time_step * relative_velocity(group, bond, state));
+    count_energy(
+      bond,
+      .5 * (bond.is_counted ? bond.traction : bond.traction + traction_before),
+      time_step * relative_velocity(group, bond, state));
     if (bond.is_new)
       {
-        const auto t       = BondLaw::split(bond.traction, bond.normal);
-        bond.memory.excess = std::max(
-          0.,
-          BondLaw::demand(bond.strength,
-                          t.normal,
-                          norm(t.shear),
-                          bond.strength.tan_friction_angle) -
-            1);
+        const auto t = BondLaw::split(bond.traction, bond.normal);
+        bond.memory.excess =
+          std::max(0.,
+                   BondLaw::demand(bond.strength,
+                                   t.normal,
+                                   norm(t.shear),
+                                   bond.strength.tan_friction_angle) -
+                     1);
       }
     bond.is_new = bond.is_counted = false;
   }
 
   void
-  BondSolver::prepare(VertexBonds  &group,
-                      const State  &state,
-                      const double  time_step)
+  BondSolver::prepare(const VertexBonds &group,
+                      const State       &state,
+                      const double       time_step)
   {
     if (group.prescribed == VertexBonds::Prescribed::no)
       {
         inverse_mass.resize(group.parts.size());
         for (std::size_t p = 0; p < group.parts.size(); ++p)
-          inverse_mass[p].fill(1 / group.masses[p]);
+          inverse_mass[p] = Row{} + 1 / group.masses[p];
       }
-    stiffness.resize(group.bonds.size());
-    gap.resize(group.bonds.size());
-    for (std::size_t i = 0; i < group.bonds.size(); ++i)
+    unknowns.clear();
+    for (std::uint32_t i = 0; i < group.bonds.size(); ++i)
       {
         const Bond &bond = group.bonds[i];
         if (bond.is_released)
           continue;
-        const auto [a, b] = bond.parts;
-        gap[i] =
-          std::max(0., dot(jump_of(group, bond, state), bond.normal));
-        for (unsigned int d = 0; d < dim; ++d)
+        Unknown u;
+        u.normal   = row(bond.normal);
+        u.traction = row(bond.traction);
+        for (unsigned int side = 0; side < 2; ++side)
           {
-            const double mobility =
-              bond.area * time_step * (inverse_mass[a][d] + inverse_mass[b][d]);
-            // Where both nodes are moved, nothing moves them but that.
-            stiffness[i][d] = mobility > 0 ? 1 / mobility : 0;
+            u.parts[side] = bond.parts[side];
+            u.mobility[side] =
+              (time_step * bond.area) * inverse_mass[bond.parts[side]];
           }
-        push(bond, bond.traction, time_step);
+        const Row mobility = u.mobility[0] + u.mobility[1];
+        // Where both nodes are moved, nothing moves them but that.
+        for (unsigned int d = 0; d < 4; ++d)
+          u.stiffness[d] = mobility[d] > 0 ? 1 / mobility[d] : 0;
+        u.envelope = BondLaw::envelope(bond.strength, bond.memory);
+        const double gap =
+          std::max(0., dot(jump_of(group, bond, state), bond.normal));
+        u.closing = product(u.normal * u.normal, u.stiffness) * gap / time_step;
+        u.pressure_share            = share[i];
+        constexpr double negligible = 1e-4;
+        u.negligible = std::pow(negligible * bond.strength.tensile_strength, 2);
+        u.place      = i;
+        u.is_new     = bond.is_new;
+        push(u, u.traction);
+        unknowns.push_back(u);
       }
   }
 
   void
-  BondSolver::push(const Bond            &bond,
-                   const Vector3<double> &traction,
-                   const double           time_step)
-  {
-    const double factor = time_step * bond.area;
-    const auto [a, b]   = bond.parts;
-    for (unsigned int d = 0; d < dim; ++d)
-      {
-        velocity[a][d] += factor * inverse_mass[a][d] * traction[d];
-        velocity[b][d] -= factor * inverse_mass[b][d] * traction[d];
-      }
-  }
-
-  void
-  BondSolver::solve(VertexBonds &group, const State &, const double time_step)
+  BondSolver::solve(VertexBonds &group)
   {
     // One bond alone is exact at once.
     const unsigned int most_turns = group.n_active > 1 ? 30 : 1;
-    const bool         any_new    = std::any_of(group.bonds.begin(),
-                                     group.bonds.end(),
-                                     [](const Bond &b) { return b.is_new; });
+    const bool         any_new    = std::any_of(unknowns.begin(),
+                                     unknowns.end(),
+                                     [](const Unknown &u) { return u.is_new; });
     const double       tolerance  = any_new ? 1e-6 : 1e-3;
     for (unsigned int turn = 0; turn < most_turns; ++turn)
       {
-        double change = 0, scale = 0;
-        for (std::size_t i = 0; i < group.bonds.size(); ++i)
+        bool do_agree = true;
+        for (Unknown &u : unknowns)
           {
-            Bond &bond = group.bonds[i];
-            if (bond.is_released)
-              continue;
-            const Vector3<double> &normal = bond.normal;
-            const Vector3<double>  relative =
-              vector(velocity[bond.parts[1]] - velocity[bond.parts[0]]);
-            Vector3<double> trial = bond.traction;
-            double          along = 0;
-            for (unsigned int d = 0; d < dim; ++d)
+            Row trial = u.traction + u.stiffness * (velocity[u.parts[1]] -
+                                                    velocity[u.parts[0]]);
+            if (!u.is_new)
               {
-                trial[d] += stiffness[i][d] * relative[d];
-                along += normal[d] * normal[d] * stiffness[i][d];
+                const double normal = product(trial, u.normal);
+                const Row    shear  = trial - normal * u.normal;
+                const double push_of =
+                  normal < 0 ? normal * u.pressure_share : normal;
+                const BondLaw::Borne borne =
+                  BondLaw::bear(u.envelope,
+                                push_of,
+                                product(shear, shear),
+                                push_of + u.closing);
+                trial = borne.normal * u.normal + borne.shear_factor * shear;
               }
-            if (!bond.is_new)
-              {
-                BondLaw::Traction parts = BondLaw::split(trial, normal);
-                if (parts.normal < 0)
-                  parts.normal *= share[i];
-                const BondLaw::Traction borne =
-                  BondLaw::bear(bond.strength,
-                                bond.memory,
-                                parts,
-                                parts.normal + along * gap[i] / time_step);
-                trial = borne.normal * normal + borne.shear;
-              }
-            const Vector3<double> difference = trial - bond.traction;
-            push(bond, difference, time_step);
-            bond.traction = trial;
-            change        = std::max(change, dot(difference, difference));
-            scale         = std::max(
-              scale,
-              dot(trial, trial) + 1e-6 * bond.strength.tensile_strength *
-                                    bond.strength.tensile_strength);
+            const Row difference = trial - u.traction;
+            push(u, difference);
+            u.traction = trial;
+            do_agree &= product(difference, difference) <=
+                        tolerance * tolerance * product(trial, trial) +
+                          (any_new ? 0 : u.negligible);
           }
-        if (change <= tolerance * tolerance * scale)
+        if (do_agree)
           break;
       }
   }

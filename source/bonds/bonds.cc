@@ -28,7 +28,8 @@ namespace rift
       __builtin_prefetch(group.root.data());
       const char *const inverse =
         reinterpret_cast<const char *>(group.inverse.data());
-      for (std::size_t i = 0; i < group.inverse.size() * sizeof(double); i += 64)
+      for (std::size_t i = 0; i < group.inverse.size() * sizeof(double);
+           i += 64)
         __builtin_prefetch(inverse + i);
       const char *const bonds =
         reinterpret_cast<const char *>(group.bonds.data());
@@ -107,9 +108,10 @@ namespace rift
         for (Bond &bond : groups[place->second].bonds)
           {
             count_energy(bond,
-                  .5 * bond.traction,
-                  time_step *
-                    relative_velocity(groups[place->second], bond, state));
+                         .5 * bond.traction,
+                         time_step * relative_velocity(groups[place->second],
+                                                       bond,
+                                                       state));
             bond.is_counted = true;
           }
         const VertexBonds old = std::move(groups[place->second]);
@@ -168,7 +170,7 @@ namespace rift
     group.parts  = nodes_at(topology, vertex);
     for (const NodeIndex node : group.parts)
       group.masses.push_back(state.mass[node]);
-    const auto  part_of = [&group](const NodeIndex node) {
+    const auto part_of = [&group](const NodeIndex node) {
       return static_cast<std::uint32_t>(
         std::find(group.parts.begin(), group.parts.end(), node) -
         group.parts.begin());
@@ -218,14 +220,18 @@ namespace rift
         area_vector += sign * vector;
         area += norm(vector) / 3;
         const Vector3<double> &plane = planes.of_faces.at(corner.face);
-        mean_plane +=
-          (norm(vector) * (sign * dot(plane, vector) < 0 ? -1. : 1.)) * plane;
+        mean_plane += dot(plane, sign * vector) * plane;
       }
     if (bond.is_new)
       {
-        bond.plane = (1 / norm(mean_plane)) * mean_plane;
+        // Faces that are folded back on each other may cancel.
+        constexpr double least = 1e-3;
+        bond.plane             = norm(mean_plane) > least * area ?
+                                   mean_plane :
+                                   planes.of_faces.at(corners[0].face);
         if (dot(bond.plane, area_vector) < 0)
           bond.plane = -1. * bond.plane;
+        bond.plane = (1 / norm(bond.plane)) * bond.plane;
       }
     bond.area = std::max(dot(area_vector, bond.plane), least_projection * area);
     bond.fan_begin = static_cast<std::uint32_t>(group.fan.size());

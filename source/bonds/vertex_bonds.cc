@@ -10,9 +10,9 @@ namespace rift
                const Vector3<double> &mean_traction,
                const Vector3<double> &motion)
   {
-    const BondLaw::Traction t = BondLaw::split(mean_traction, bond.normal);
-    const double work         = bond.area * dot(mean_traction, motion);
-    double       friction = 0, closing = 0;
+    const BondLaw::Traction t    = BondLaw::split(mean_traction, bond.normal);
+    const double            work = bond.area * dot(mean_traction, motion);
+    double                  friction = 0, closing = 0;
     if (t.normal < 0)
       {
         const double shear = norm(t.shear);

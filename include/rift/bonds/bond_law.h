@@ -73,37 +73,87 @@ namespace rift
       return (shear + friction * normal) / strength.cohesion;
     }
 
+    /** The envelope of a bond at its present damage (eq. O7), Pa. */
+    struct Envelope
+    {
+      /** Largest normal traction, and shear traction without a normal one. */
+      double tension, shear;
+
+      /** What of shear a normal traction takes away in tension, and what pressure
+       * adds. */
+      double friction_in_tension, friction_under_pressure;
+    };
+
+    /** The present one. */
+    static Envelope
+    envelope(const FaceStrength &strength, const Memory &memory)
+    {
+      const double left = memory.softening + memory.excess;
+      return {left * strength.tensile_strength,
+              left * strength.cohesion,
+              strength.tan_friction_angle,
+              friction(strength, memory)};
+    }
+
+    /** What is left of a traction: its normal part, and a factor of its shear
+     * part. */
+    struct Borne
+    {
+      /** Pa and 1. */
+      double normal, shear_factor;
+    };
+
     /**
-     * The part of a traction that the bond bears: in tension it is shortened to
+     * The part of a traction that a bond bears: in tension it is shortened to
      * the envelope, under pressure its shear part is (eq. O7).
      *
+     * @param normal traction, Pa, and `shear_squared`, Pa^2.
      * @param closing normal traction that is left under pressure once the gap
      *   of an open bond has been closed, Pa (eq. O9).
      */
+    static Borne
+    bear(const Envelope &envelope,
+         const double    normal,
+         const double    shear_squared,
+         const double    closing)
+    {
+      if (normal > 0)
+        {
+          const double largest =
+            envelope.shear - envelope.friction_in_tension * normal;
+          if (normal <= envelope.tension && largest >= 0 &&
+              shear_squared <= largest * largest)
+            return {normal, 1};
+          if (envelope.tension <= 0)
+            return {0, 0};
+          const double factor =
+            1 / std::max(normal / envelope.tension,
+                         (std::sqrt(shear_squared) +
+                          envelope.friction_in_tension * normal) /
+                           envelope.shear);
+          return {factor * normal, factor};
+        }
+      const double left = std::min(0., closing);
+      const double largest =
+        envelope.shear - envelope.friction_under_pressure * left;
+      return {left,
+              shear_squared > largest * largest ?
+                largest / std::sqrt(shear_squared) :
+                1};
+    }
+
+    /** The same for a traction in space. */
     static Traction
     bear(const FaceStrength &strength,
          const Memory       &memory,
-         Traction            trial,
+         const Traction     &trial,
          const double        closing)
     {
-      const double limit = memory.softening + memory.excess;
-      const double shear = norm(trial.shear);
-      if (trial.normal > 0)
-        {
-          const double d = demand(strength, trial.normal, shear, 0);
-          if (d > limit)
-            {
-              trial.normal *= limit / d;
-              trial.shear = (limit / d) * trial.shear;
-            }
-          return trial;
-        }
-      trial.normal = std::min(0., closing);
-      const double largest =
-        limit * strength.cohesion - friction(strength, memory) * trial.normal;
-      if (shear > largest)
-        trial.shear = (largest / shear) * trial.shear;
-      return trial;
+      const Borne borne = bear(envelope(strength, memory),
+                               trial.normal,
+                               dot(trial.shear, trial.shear),
+                               closing);
+      return {borne.normal, borne.shear_factor * trial.shear};
     }
 
     /**

@@ -59,19 +59,51 @@ namespace rift
            const State           &state,
            double                 time_step);
 
+    /** A bond while solve() looks for its traction. */
+    struct Unknown
+    {
+      /** Normal, and traction per projected area, Pa. */
+      Row normal, traction;
+
+      /** By component: traction that a relative velocity makes when it is stopped
+       * within a step, Pa s/m. */
+      Row stiffness;
+
+      /** By component: velocity of the first node and of the second, against
+       * it, per traction, m/(Pa s). */
+      Row mobility[2];
+
+      BondLaw::Envelope envelope;
+
+      /** Normal traction that would close the gap within a step, Pa, and the part
+       * of the pressure that it bears. */
+      double closing, pressure_share;
+
+      /** Difference of two tractions that is negligible, squared, Pa^2. */
+      double negligible;
+
+      std::uint32_t parts[2];
+
+      /** Its place in the group, and whether it bears whatever is needed. */
+      std::uint32_t place;
+      bool          is_new;
+    };
+
     /** Finds the tractions, bond by bond and again until they agree. */
     void
-    solve(VertexBonds &group, const State &state, double time_step);
+    solve(VertexBonds &group);
 
-    /** Prepares that, with the tractions of the last step. */
+    /** Makes the unknowns of that, with the tractions of the last step. */
     void
-    prepare(VertexBonds &group, const State &state, double time_step);
+    prepare(const VertexBonds &group, const State &state, double time_step);
 
     /** Changes the velocities of the nodes of a bond by a traction. */
     void
-    push(const Bond            &bond,
-         const Vector3<double> &traction,
-         double                 time_step);
+    push(const Unknown &bond, const Row &traction)
+    {
+      velocity[bond.parts[0]] += bond.mobility[0] * traction;
+      velocity[bond.parts[1]] -= bond.mobility[1] * traction;
+    }
 
     /** Damages a bond by the motion of its nodes; whether it fails. */
     bool
@@ -79,18 +111,15 @@ namespace rift
 
     /** By part: velocity after the kick, force that keeps it with the others, and
      * potential of these forces; inverse mass by component. */
-    std::vector<Row>             velocity, bond_force, potential;
-    std::vector<Vector3<double>> inverse_mass;
+    std::vector<Row> velocity, bond_force, potential, inverse_mass;
 
     /** By part: sum of mass and of momentum over those with the same root. */
     std::vector<double> mass;
     std::vector<Row>    momentum;
 
-    /** By bond: traction of the step before; traction by component that a relative
-     * velocity makes when it is stopped within a step; opening; and the part of
-     * the pressure that it bears. */
-    std::vector<Vector3<double>> before, stiffness;
-    std::vector<double>          gap, share;
+    /** By bond: the part of the pressure that it bears. */
+    std::vector<double>  share;
+    std::vector<Unknown> unknowns;
   };
 } // namespace rift
 

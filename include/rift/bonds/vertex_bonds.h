@@ -123,7 +123,9 @@ namespace rift
   /** Part of the pressure that a bond bears: less than 1 once it has failed and
    * slid so far that contact takes over. */
   double
-  pressure_share(const VertexBonds &group, const Bond &bond, const State &state);
+  pressure_share(const VertexBonds &group,
+                 const Bond        &bond,
+                 const State       &state);
 
   /** Finds the parts that bonds connect, and the inverse of their Laplacian. */
   void
