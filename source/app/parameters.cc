@@ -45,6 +45,12 @@ namespace rift
         {
           add(material.inert_entries());
           has_scatter = has_scatter || material.weibull_modulus != 0;
+          if (parameters.cohesive.law == CohesiveParameters::bonds)
+            result.push_back({"Material " + material.name,
+                              {"Weibull modulus"},
+                              {{"Fracture", "Cohesive law"}},
+                              "with the cohesive law \"bonds\", whose "
+                              "strengths do not scatter from face to face"});
           seed.causes.emplace_back("Material " + material.name,
                                    "Weibull modulus");
         }
@@ -134,6 +140,15 @@ namespace rift
                                  "true in one, or Cohesive model = none.");
           for (const MaterialParameters &material : materials)
             material.check_breakable();
+          if (parameters.cohesive.law == CohesiveParameters::bonds)
+            for (const BoundaryParameters &boundary : parameters.boundaries)
+              if (boundary.absorbs)
+                throw ParameterError(
+                  "Boundary " + boundary.name,
+                  "Absorbing",
+                  "the cohesive law \"bonds\" does not hold nodes on "
+                  "absorbing boundaries together. Choose another \"Cohesive "
+                  "law\" in subsection Fracture, or remove this entry.");
         }
       std::vector<std::string> names;
       for (const MaterialParameters &material : materials)

@@ -258,10 +258,17 @@ namespace rift
       names.push_back("Cohesive penalty");
     if (model == Model::none)
       names.insert(names.end(), {"Cohesive law", "Seed"});
-    return {{section,
-             names,
-             {{section, "Cohesive model"}},
-             model == Model::none ? "without a cohesive model" :
-                                    "with this cohesive model"}};
+    std::vector<InertEntries> result = {
+      {section,
+       names,
+       {{section, "Cohesive model"}},
+       model == Model::none ? "without a cohesive model" :
+                              "with this cohesive model"}};
+    if (model == Model::extrinsic && law == bonds)
+      result.push_back({section,
+                        {"Stiffness factor", "Least share of strength"},
+                        {{section, "Cohesive law"}},
+                        "with this cohesive law"});
+    return result;
   }
 } // namespace rift

@@ -12,7 +12,7 @@ namespace rift
 {
   /**
    * The traction of a bond per projected area of its crack plane: at most an
-   * envelope that softens with the damage (doc/theory.md, eq. O7 to O11). There
+   * envelope that softens with the damage (doc/theory.md, eq. 41 to 43a). There
    * is no spring: what holds the two nodes together comes from outside, and the
    * law says how much of it the bond bears.
    */
@@ -73,7 +73,7 @@ namespace rift
       return (shear + friction * normal) / strength.cohesion;
     }
 
-    /** The envelope of a bond at its present damage (eq. O7), Pa. */
+    /** The envelope of a bond at its present damage (eq. 41), Pa. */
     struct Envelope
     {
       /** Largest normal traction, and shear traction without a normal one. */
@@ -105,11 +105,11 @@ namespace rift
 
     /**
      * The part of a traction that a bond bears: in tension it is shortened to
-     * the envelope, under pressure its shear part is (eq. O7).
+     * the envelope, under pressure its shear part is (eq. 41).
      *
      * @param normal traction, Pa, and `shear_squared`, Pa^2.
      * @param closing normal traction that is left under pressure once the gap
-     *   of an open bond has been closed, Pa (eq. O9).
+     *   of an open bond has been closed, Pa (eq. 42a).
      */
     static Borne
     bear(const Envelope &envelope,
@@ -158,7 +158,7 @@ namespace rift
 
     /**
      * Damage of a step, by the work of the cohesive part of the traction (eq.
-     * O10), and what is left of the excess (eq. O11).
+     * 43), and what is left of the excess (eq. 43a).
      *
      * @param opening, slip of the step, m.
      */

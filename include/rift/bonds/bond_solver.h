@@ -10,7 +10,7 @@
 namespace rift
 {
   /**
-   * Finds the tractions of the bonds at one vertex (doc/theory.md, eq. O8): those
+   * Finds the tractions of the bonds at one vertex (doc/theory.md, eq. 42): those
    * that keep all parts together, if the bonds bear them, otherwise those of the
    * envelopes.
    */

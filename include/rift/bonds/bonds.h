@@ -84,7 +84,7 @@ namespace rift
     /**
      * Holds pairs of nodes together as far as their bonds bear it: adds the
      * forces of the bonds to the state's and updates what bonds remember. All
-     * other forces are known (eq. O8).
+     * other forces are known (eq. 42).
      *
      * @param prescribed where the motion of nodes is prescribed, the
      *   acceleration of a component.

@@ -25,8 +25,8 @@ namespace rift
   };
 
   /**
-   * Decides which nodes part, and along which planes (doc/theory.md, eq. O1 to
-   * O5). A node whose stress reaches the strength in step n is a candidate;
+   * Decides which nodes part, and along which planes (doc/theory.md, eq. 35 to
+   * 39). A node whose stress reaches the strength in step n is a candidate;
    * the demands of its neighbours are known to all ranks in step n + 1, in which
    * those are chosen that part; their faces are cut at the start of step n + 2,
    * when all ranks know of them.
@@ -84,7 +84,7 @@ namespace rift
       Vector3<double> plane;
     };
 
-    /** Mean stress of the cells of a node, weighted by their volumes (O1). */
+    /** Mean stress of the cells of a node, weighted by their volumes (35). */
     SymmetricTensor<double>
     mean_stress(const State &state, const std::vector<StarCell> &cells);
 
@@ -113,13 +113,13 @@ namespace rift
     bool
     is_beside_crack(const std::vector<StarCell> &cells) const;
 
-    /** The planes that a node may be cut along (O3). */
+    /** The planes that a node may be cut along (37). */
     std::vector<Vector3<double>>
     possible_planes(const CrackCandidate        &candidate,
                     const std::vector<StarCell> &cells) const;
 
     /** The mean plane of the cracks around, if they are nearly parallel to one
-     * of two conjugate planes (O3a). */
+     * of two conjugate planes (37a). */
     std::optional<Vector3<double>>
     plane_of_cracks_around(const CrackCandidate               &candidate,
                            const std::vector<StarCell>        &cells,
@@ -132,7 +132,7 @@ namespace rift
         const std::vector<StarCell> &cells,
         std::vector<CornerNews>     &news);
 
-    /** Has a plane take part in (O3a) from the next step on. */
+    /** Has a plane take part in (37a) from the next step on. */
     void
     add_plane(VertexIndex vertex, const CrackPlanes::Part &part);
 
@@ -160,7 +160,7 @@ namespace rift
     /** What is cut at the start of the next step. */
     std::vector<DueFace> due;
 
-    /** Planes that take part in (O3a) from the next step on. */
+    /** Planes that take part in (37a) from the next step on. */
     std::vector<std::pair<VertexIndex, CrackPlanes::Part>> due_planes;
 
     /** By node: step from which it is looked at again after it could not be

@@ -42,7 +42,7 @@ namespace rift
 
   /**
    * Cuts the star of a node in two along a plane through the node (doc/theory.md,
-   * eq. O4). Cells wholly on one side of the plane stay there; those that the
+   * eq. 38). Cells wholly on one side of the plane stay there; those that the
    * plane passes through go where the cut has the smallest new area. Faces that
    * are cut already and end at the node are carried on: the two cells beside
    * them come on different sides.

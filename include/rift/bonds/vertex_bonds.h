@@ -19,7 +19,7 @@ namespace rift
   /**
    * What holds two nodes together that a crack has parted at a vertex: all cut
    * faces between their cells are one bond, whose area and traction are those of
-   * its crack plane (doc/theory.md, eq. O6 to O13).
+   * its crack plane (doc/theory.md, eq. 40 to 44).
    */
   struct Bond
   {
@@ -69,7 +69,10 @@ namespace rift
       unknown,
       no,
       yes
-    } prescribed = Prescribed::unknown;
+    };
+
+    /** What is known of that. */
+    Prescribed prescribed = Prescribed::unknown;
 
     /** The nodes, by their smallest cells, and their masses, kg. */
     std::vector<NodeIndex> parts;
@@ -89,6 +92,8 @@ namespace rift
       /** Crack plane in the frame of the undeformed face, times its area. */
       Vector3<double> plane;
     };
+
+    /** The faces of all bonds. */
     std::vector<FanFace> fan;
 
     /** For each part the first of those that bonds connect it to; and for the

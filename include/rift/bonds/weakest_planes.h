@@ -28,7 +28,7 @@ namespace rift
 
   /**
    * Demand of a plane: the largest of its tension and of its Mohr-Coulomb shear
-   * over the strengths (doc/theory.md, eq. O2). A plane breaks at 1. The line of
+   * over the strengths (doc/theory.md, eq. 36). A plane breaks at 1. The line of
    * friction goes on in tension, so that the stresses of a demand below 1 are
    * a convex set.
    */
@@ -50,14 +50,14 @@ namespace rift
   };
 
   /** The largest demand of all planes, which have the same strength: from the
-   * principal stresses (doc/theory.md, eq. O2). */
+   * principal stresses (doc/theory.md, eq. 36). */
   double
   largest_demand(const SymmetricTensor<double> &stress,
                  const FaceStrength            &strength);
 
   /**
    * The weakest planes where all planes have the same strength: in closed form
-   * from the principal stresses (doc/theory.md, eq. O2).
+   * from the principal stresses (doc/theory.md, eq. 36).
    */
   WeakestPlanes
   weakest_planes(const SymmetricTensor<double> &stress,
