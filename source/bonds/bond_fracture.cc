@@ -176,7 +176,7 @@ namespace rift
           closing.add(bond.energy.closing);
   }
 
-  std::optional<Fracture::OpenFace>
+  std::optional<OpenFace>
   BondFracture::open_face(const std::size_t index) const
   {
     const CrackFaces::Face &face = bonds.faces().faces[index];

@@ -167,4 +167,31 @@ namespace rift
     elements->take_in_new_faces();
     elements->restore(records, indices);
   }
+
+  std::optional<OpenFace>
+  CohesiveForce::open_face(const std::size_t index) const
+  {
+    if (!cohesive_faces.has_opened(index))
+      return {};
+    const CohesiveBatch &batch = cohesive_faces.batches[index / batch_size];
+    OpenFace             result{cohesive_faces.infos[index].face, {}};
+    for (unsigned int c = 0; c < 3; ++c)
+      {
+        result.nodes[0][c] = batch.minus[c][index % batch_size];
+        result.nodes[1][c] = batch.plus[c][index % batch_size];
+      }
+    return result;
+  }
+
+  std::vector<FaceMeans>
+  CohesiveForce::means(const State &state) const
+  {
+    std::vector<FaceMeans> result = elements->means(state);
+    for (std::size_t i = 0; i < result.size(); ++i)
+      {
+        result[i].start_time   = cohesive_faces.infos[i].start_time;
+        result[i].failure_time = cohesive_faces.infos[i].failure_time;
+      }
+    return result;
+  }
 } // namespace rift

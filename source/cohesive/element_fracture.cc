@@ -10,11 +10,12 @@ namespace rift
     const std::string points_prefix = "cohesive points: ";
   } // namespace
 
-  ElementFracture::ElementFracture(Discretization                        &body,
-                     InternalForce                         &internal_force,
-                     const std::vector<MaterialParameters> &materials,
-                     const std::vector<StiffnessMatrix>    &stiffnesses,
-                     const CohesiveParameters              &parameters)
+  ElementFracture::ElementFracture(
+    Discretization                        &body,
+    InternalForce                         &internal_force,
+    const std::vector<MaterialParameters> &materials,
+    const std::vector<StiffnessMatrix>    &stiffnesses,
+    const CohesiveParameters              &parameters)
     : Fracture(body.topology)
     , body(body)
     , internal_force(internal_force)
@@ -83,43 +84,17 @@ namespace rift
   }
 
   void
-  ElementFracture::choose_cuts(const StepContext &step, std::vector<FaceIndex> &faces)
+  ElementFracture::choose_cuts(const StepContext      &step,
+                               std::vector<FaceIndex> &faces)
   {
     if (insertion && !internal_force.hot_cells().empty())
       faces =
         insertion->find_faces(step.body.state, internal_force.hot_cells());
   }
 
-  std::optional<Fracture::OpenFace>
-  ElementFracture::open_face(const std::size_t index) const
-  {
-    const CohesiveFaces &faces = force->faces();
-    if (!faces.has_opened(index))
-      return {};
-    const CohesiveBatch &batch = faces.batches[index / batch_size];
-    OpenFace             result{faces.infos[index].face, {}};
-    for (unsigned int c = 0; c < 3; ++c)
-      {
-        result.nodes[0][c] = batch.minus[c][index % batch_size];
-        result.nodes[1][c] = batch.plus[c][index % batch_size];
-      }
-    return result;
-  }
-
-  std::vector<FaceMeans>
-  ElementFracture::means(const State &state) const
-  {
-    std::vector<FaceMeans> result = force->means(state);
-    for (std::size_t i = 0; i < result.size(); ++i)
-      {
-        result[i].start_time   = force->faces().infos[i].start_time;
-        result[i].failure_time = force->faces().infos[i].failure_time;
-      }
-    return result;
-  }
-
   void
-  ElementFracture::account(const Discretization &body, EnergyTable &energies) const
+  ElementFracture::account(const Discretization &body,
+                           EnergyTable          &energies) const
   {
     const CohesiveEnergy energy = force->energy(body.state);
     energies["cohesive"].add(energy.recoverable);

@@ -1,6 +1,7 @@
 // What is written for ParaView, and the hash, on several ranks.
 
 #include <rift/base/bytes.h>
+#include <rift/cohesive/cohesive_force.h>
 #include <rift/discretization/fragment_labels.h>
 #include <rift/discretization/fragments.h>
 #include <rift/io/solution_fields.h>
@@ -116,6 +117,55 @@ namespace
     return solid_solution(body.topology, fields, wanted);
   }
 
+  /** The faces of a force alone, as a module. */
+  class FractureOf : public Fracture
+  {
+  public:
+    FractureOf(const Topology &topology, const CohesiveForce &force)
+      : Fracture(topology)
+      , force(force)
+    {
+    }
+
+    std::size_t
+    n_faces() const override
+    {
+      return force.faces().size();
+    }
+
+    std::optional<OpenFace>
+    open_face(const std::size_t index) const override
+    {
+      return force.open_face(index);
+    }
+
+    std::vector<FaceMeans>
+    means(const State &state) const override
+    {
+      return force.means(state);
+    }
+
+    FaceCounts
+    count_faces(const Communicator &communicator) const override
+    {
+      return force.count_faces(communicator);
+    }
+
+    void
+    leave_failed_faces_to_contact(std::uint64_t, double) override
+    {
+    }
+
+    double
+    share_of_stiffness() const override
+    {
+      return 0;
+    }
+
+  private:
+    const CohesiveForce &force;
+  };
+
   /** All faces that are cut have begun to open and have been worked on. */
   Solution
   fracture(DiscreteBody &body, const FieldSelection &wanted = {})
@@ -143,8 +193,9 @@ namespace
     force.add_to(body.state, Activity(body.topology));
     FieldList fields(body.state, 0);
     declare_nodal_fields(fields);
-    CohesiveForce::declare_fields(fields, &force);
-    return fracture_solution(body.topology, force, fields, wanted);
+    const FractureOf fracture(body.topology, force);
+    Fracture::declare_fields(fields, &fracture);
+    return fracture_solution(body.topology, fracture, fields, wanted);
   }
 
   std::string

@@ -63,6 +63,12 @@ namespace rift
     std::vector<FaceMeans>
     means(const State &state) const override;
 
+    FaceCounts
+    count_faces(const Communicator &communicator) const override
+    {
+      return rift::count_faces(topology, 0, communicator);
+    }
+
     void
     leave_failed_faces_to_contact(const std::uint64_t interval,
                                   const double        opening) override

@@ -5,8 +5,8 @@
 #include <rift/base/plain_bytes.h>
 #include <rift/cohesive/cohesive_faces.h>
 #include <rift/cohesive/cohesive_parameters.h>
-#include <rift/cohesive/face_means.h>
 #include <rift/cohesive/face_strengths.h>
+#include <rift/cohesive/open_faces.h>
 #include <rift/cohesive/penalty_stiffness.h>
 #include <rift/discretization/ghost_exchange.h>
 

@@ -5,6 +5,7 @@
 #include <rift/cohesive/partings.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace rift
@@ -148,19 +149,21 @@ namespace rift
       return cohesive_faces;
     }
 
+    /** One of faces(), for the output; nothing if it has not begun to open. */
+    std::optional<OpenFace>
+    open_face(std::size_t index) const;
+
     /** For the output, in the order of faces(). */
     std::vector<FaceMeans>
-    means(const State &state) const
-    {
-      return elements->means(state);
-    }
+    means(const State &state) const;
 
-    /** Number of faces of this rank that have opened though the mesh is too
-     * coarse for their fracture energy. */
-    std::size_t
-    count_unresolved() const
+    /** Collective. */
+    FaceCounts
+    count_faces(const Communicator &communicator) const
     {
-      return elements->count_unresolved();
+      return rift::count_faces(topology,
+                               elements->count_unresolved(),
+                               communicator);
     }
 
     /** For tests, which know their law: a CohesiveElementsOf it. */

@@ -19,10 +19,10 @@ namespace rift
      *   this object.
      */
     ElementFracture(Discretization                        &body,
-             InternalForce                         &internal_force,
-             const std::vector<MaterialParameters> &materials,
-             const std::vector<StiffnessMatrix>    &stiffnesses,
-             const CohesiveParameters              &parameters);
+                    InternalForce                         &internal_force,
+                    const std::vector<MaterialParameters> &materials,
+                    const std::vector<StiffnessMatrix>    &stiffnesses,
+                    const CohesiveParameters              &parameters);
 
     /** The cohesive elements; after prepare(). */
     CohesiveForce &
@@ -38,10 +38,22 @@ namespace rift
     }
 
     std::optional<OpenFace>
-    open_face(std::size_t index) const override;
+    open_face(const std::size_t index) const override
+    {
+      return force->open_face(index);
+    }
 
     std::vector<FaceMeans>
-    means(const State &state) const override;
+    means(const State &state) const override
+    {
+      return force->means(state);
+    }
+
+    FaceCounts
+    count_faces(const Communicator &communicator) const override
+    {
+      return force->count_faces(communicator);
+    }
 
     void
     leave_failed_faces_to_contact(const std::uint64_t interval,
@@ -115,13 +127,6 @@ namespace rift
     is_extrinsic() const
     {
       return parameters.model == CohesiveParameters::Model::extrinsic;
-    }
-
-  protected:
-    std::size_t
-    count_unresolved() const override
-    {
-      return force->count_unresolved();
     }
 
   private:

@@ -1,27 +1,11 @@
 #ifndef rift_cohesive_fracture_h
 #define rift_cohesive_fracture_h
 
-#include <rift/cohesive/face_means.h>
+#include <rift/cohesive/open_faces.h>
 #include <rift/module/module.h>
-
-#include <array>
 
 namespace rift
 {
-  /** Numbers of faces of the whole body. */
-  struct FaceCounts
-  {
-    /** Faces that have been cut, and those that have begun to open. */
-    std::uint64_t inserted = 0, opened = 0;
-
-    /** Faces that have lost all their strength. */
-    std::uint64_t failed = 0;
-
-    /** Faces that have opened though the mesh is too coarse for their fracture
-     * energy. */
-    std::uint64_t too_short = 0;
-  };
-
   /** What breaks the body, as a module: what others must know of it, whatever
    * its formulation. */
   class Fracture : public Module
@@ -38,14 +22,6 @@ namespace rift
     {
       return Stage::cohesive_forces;
     }
-
-    /** A face that has begun to open. */
-    struct OpenFace
-    {
-      /** Index in Topology::faces, and its nodes by side and corner. */
-      FaceIndex                               face;
-      std::array<std::array<NodeIndex, 3>, 2> nodes;
-    };
 
     /** Number of faces that this rank computes. */
     virtual std::size_t
@@ -71,9 +47,9 @@ namespace rift
       declare_fields(list, this);
     }
 
-    /** Counts the faces by their states. Collective. */
-    FaceCounts
-    count_faces(const Communicator &communicator) const;
+    /** Collective. */
+    virtual FaceCounts
+    count_faces(const Communicator &communicator) const = 0;
 
     /**
      * Has failed faces let go when they are open, since contact then resists
@@ -93,14 +69,6 @@ namespace rift
     share_of_stiffness() const = 0;
 
   protected:
-    /** Number of faces of this rank that are too large for their fracture
-     * energy. */
-    virtual std::size_t
-    count_unresolved() const
-    {
-      return 0;
-    }
-
     /** The body's. */
     const Topology &topology;
   };

@@ -1,9 +1,11 @@
-#include <rift/cohesive/fracture.h>
+#include <rift/cohesive/open_faces.h>
 
 namespace rift
 {
   FaceCounts
-  Fracture::count_faces(const Communicator &communicator) const
+  count_faces(const Topology     &topology,
+              const std::size_t   n_too_short,
+              const Communicator &communicator)
   {
     std::int64_t inserted = 0, opened = 0, failed = 0;
     for (FaceIndex face = 0; face < topology.faces.size(); ++face)
@@ -15,7 +17,7 @@ namespace rift
           failed += state >= FaceState::failed ? 1 : 0;
         }
     std::vector<std::int64_t> numbers =
-      {inserted, opened, failed, static_cast<std::int64_t>(count_unresolved())};
+      {inserted, opened, failed, static_cast<std::int64_t>(n_too_short)};
     communicator.sum(numbers);
     const auto number = [&numbers](const std::size_t i) {
       return static_cast<std::uint64_t>(numbers[i]);
