@@ -1,6 +1,6 @@
 # Runs SCENE with RIFT twice in FOLDER: without a cohesive model, and with one
 # whose strength is never reached. Fails unless both end in the same state to
-# the last bit.
+# the last bit. LAW: of the cohesive model, if not the one by default.
 file(REMOVE_RECURSE ${FOLDER})
 file(MAKE_DIRECTORY ${FOLDER})
 
@@ -25,6 +25,10 @@ set(breakable
   --set "${rock}/Friction angle=50"
   --set "${rock}/Fracture energy I=400"
   --set "${rock}/Fracture energy II=400")
+
+if(LAW)
+  list(APPEND breakable --set "Fracture/Cohesive law=${LAW}")
+endif()
 
 run(plain)
 run(strong ${breakable} --set "${rock}/Tensile strength=60e6")

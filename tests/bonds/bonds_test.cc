@@ -1,0 +1,300 @@
+#include <gtest/gtest.h>
+
+#include "bonded_body.h"
+
+using namespace rift;
+using namespace rift::test;
+
+namespace
+{
+  using Vector = Vector3<double>;
+
+  constexpr double edge = 1e-3, time_step = 2e-8;
+  constexpr Vector across = {{1, 0, 0}};
+
+  /** Two cubes of cells. */
+  Body
+  bar()
+  {
+    return make_box({{2, 1, 1}}, edge);
+  }
+
+  /** Stretches the body: the crack stays where it is, both ends move. */
+  void
+  stretch(BondedBody &body, const double speed, const Vector &along)
+  {
+    for (NodeIndex node = 0; node < body.state.n_nodes(); ++node)
+      for (unsigned int d = 0; d < dim; ++d)
+        body.state.velocity[node][d] +=
+          (body.state.reference[node][0] / edge - 1) * speed * along[d];
+  }
+
+  /** Some steps. In each the bonds use what their forces take. */
+  void
+  run(BondedBody &body, const unsigned int n_steps)
+  {
+    double largest = 0;
+    for (unsigned int i = 0; i < n_steps; ++i)
+      {
+        ASSERT_TRUE(body.sum_forces());
+        body.hold(time_step);
+        body.kick_and_drift(time_step);
+        largest = std::max(largest, std::abs(body.unexplained_energy()));
+      }
+    EXPECT_LT(largest, 1e-12 * 400 * edge * edge);
+  }
+
+  double
+  largest_damage(const BondedBody &body)
+  {
+    double result = 0;
+    for (const VertexBonds &group : body.bonds.vertices())
+      for (const Bond &bond : group.bonds)
+        result = std::max(result, bond.memory.damage);
+    return result;
+  }
+
+  void
+  set_random_velocities(BondedBody &body, const double speed)
+  {
+    for (NodeIndex node = 0; node < body.state.n_nodes(); ++node)
+      {
+        // The same for all parts of a vertex.
+        std::mt19937 random(body.topology.node_vertices[node] + 1);
+        std::uniform_real_distribution<double> value(-speed, speed);
+        for (unsigned int d = 0; d < dim; ++d)
+          body.state.velocity[node][d] = value(random);
+      }
+  }
+} // namespace
+
+TEST(Bonds, NodesHeldTogetherMoveAsOne)
+{
+  BondedBody cut(bar()), whole(bar());
+  set_random_velocities(cut, .05);
+  set_random_velocities(whole, .05);
+  cut.split(cut.faces_in_plane(0, edge), across, time_step);
+  ASSERT_EQ(cut.state.n_nodes(), whole.state.n_nodes() + 4);
+  run(cut, 1000);
+  run(whole, 1000);
+  EXPECT_EQ(largest_damage(cut), 0);
+  double largest = 0, difference = 0;
+  for (CellIndex cell = 0; cell < cut.topology.n_cells(); ++cell)
+    for (unsigned int c = 0; c < n_corners; ++c)
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const double a =
+            cut.state.displacement[cut.topology.node(cell, c)][d];
+          const double b =
+            whole.state.displacement[whole.topology.node(cell, c)][d];
+          largest    = std::max(largest, std::abs(b));
+          difference = std::max(difference, std::abs(a - b));
+        }
+  EXPECT_GT(largest, 1e-7);
+  EXPECT_LT(difference, 1e-11 * largest);
+}
+
+// As the bar breaks in tension and shear, with turning halves.
+TEST(Bonds, BalanceOfEnergyAndMomentum)
+{
+  BondedBody body(bar());
+  set_random_velocities(body, 1);
+  body.split(body.faces_in_plane(0, edge), across, time_step);
+  stretch(body, 3, {{.8, .6, 0}});
+  double largest = 0;
+  for (unsigned int i = 0; i < 200; ++i)
+    {
+      Vector sum = {{0, 0, 0}};
+      body.sum_forces();
+      const auto before = body.state.force;
+      body.bonds.hold(body.state, time_step, {});
+      double size = 0;
+      for (NodeIndex node = 0; node < body.state.n_nodes(); ++node)
+        {
+          const Vector force =
+            body.state.force[node].vector() - before[node].vector();
+          sum += force;
+          size += norm(force);
+        }
+      largest = std::max(largest, size > 0 ? norm(sum) / size : 0);
+      advance(body.state, body.activity, time_step);
+    }
+  EXPECT_LT(largest, 1e-13);
+  EXPECT_GT(largest_damage(body), .1);
+}
+
+TEST(Bonds, OpeningAndClosingAgainBalance)
+{
+  BondedBody body(bar());
+  body.split(body.faces_in_plane(0, edge), across, time_step);
+  stretch(body, 8, {{.8, .6, 0}});
+  for (unsigned int turn = 0; turn < 10; ++turn)
+    {
+      run(body, 40);
+      // Both halves come back. The kick that is half done goes on with it.
+      body.bond_work = body.work_until_now;
+      for (auto &v : body.state.velocity)
+        for (unsigned int d = 0; d < dim; ++d)
+          v[d] *= -1;
+      body.add_bond_work(time_step);
+    }
+  const BondEnergy used = body.used();
+  EXPECT_GT(used.fracture, 0);
+  EXPECT_GT(largest_damage(body), .01);
+  EXPECT_GE(used.closing, 0);
+}
+
+// The energy of a whole break is that of its projected area.
+TEST(Bonds, BreakingTakesTheFractureEnergy)
+{
+  BondedBody body(bar());
+  body.split(body.faces_in_plane(0, edge), across, time_step);
+  stretch(body, 40, across);
+  run(body, 1000);
+  for (const VertexBonds &group : body.bonds.vertices())
+    for (const Bond &bond : group.bonds)
+      EXPECT_EQ(bond.memory.damage, 1);
+  EXPECT_NEAR(body.used().fracture / (400 * edge * edge), 1, .03);
+}
+
+// A node whose motion is prescribed takes the others along.
+TEST(Bonds, PrescribedNodesHoldTheOthers)
+{
+  BondedBody body(bar());
+  body.split(body.faces_in_plane(0, edge), across, time_step);
+  set_random_velocities(body, .01);
+  for (const VertexBonds &group : body.bonds.vertices())
+    for (const NodeIndex node : group.parts)
+      for (unsigned int d = 0; d < dim; ++d)
+        body.state.velocity[node][d] = 0;
+  std::set<NodeIndex> held;
+  for (const VertexBonds &group : body.bonds.vertices())
+    held.insert(group.parts[0]);
+  constexpr double             acceleration[3] = {1e4, -2e4, 5e3};
+  const PrescribedAcceleration prescribed =
+    [&](const NodeIndex    node,
+        const unsigned int component) -> std::optional<double> {
+    if (held.count(node) == 0 || component == 1)
+      return {};
+    return acceleration[component];
+  };
+  for (unsigned int i = 0; i < 100; ++i)
+    {
+      body.sum_forces();
+      body.bonds.hold(body.state, time_step, prescribed);
+      for (const NodeIndex node : held)
+        for (unsigned int d = 0; d < dim; ++d)
+          if (const auto a = prescribed(node, d))
+            body.state.force[node][d] = body.state.mass[node] * *a;
+      advance(body.state, body.activity, time_step);
+      for (const VertexBonds &group : body.bonds.vertices())
+        for (const NodeIndex node : group.parts)
+          {
+            const double v = time_step * (i + 1);
+            EXPECT_NEAR(body.state.velocity[node][0],
+                        v * acceleration[0],
+                        1e-11 * v * acceleration[0]);
+            EXPECT_NEAR(body.state.velocity[node][2],
+                        v * acceleration[2],
+                        1e-11 * v * acceleration[2]);
+            EXPECT_NEAR(body.state.velocity[node][1],
+                        body.state.velocity[group.parts[0]][1],
+                        1e-11);
+          }
+    }
+  EXPECT_LT(largest_damage(body), 1e-15);
+}
+
+// The bonds of nodes that split again go on as they were.
+TEST(Bonds, ChildrenInheritWhatABondRemembers)
+{
+  BondedBody body(make_box({{2, 2, 1}}, edge));
+  body.split(body.faces_in_plane(0, edge), across, time_step);
+  stretch(body, 5, across);
+  run(body, 20);
+  std::map<VertexIndex, double> damages;
+  std::size_t                   n_before = 0;
+  for (const VertexBonds &group : body.bonds.vertices())
+    {
+      ASSERT_EQ(group.bonds.size(), 1u);
+      damages[group.vertex] = group.bonds[0].memory.damage;
+      ++n_before;
+    }
+  EXPECT_GT(largest_damage(body), .001);
+  EXPECT_LT(largest_damage(body), 1);
+  // Nothing moves in the half of the step that is counted before.
+  for (auto &v : body.state.velocity)
+    for (unsigned int d = 0; d < dim; ++d)
+      v[d] = 0;
+  const BondEnergy before = body.used();
+  body.split(body.faces_in_plane(1, edge), {{0, 1, 0}}, time_step);
+  EXPECT_NEAR(body.used().fracture, before.fracture, 1e-14 * before.fracture);
+  std::size_t n_children = 0;
+  for (const VertexBonds &group : body.bonds.vertices())
+    for (const Bond &bond : group.bonds)
+      if (std::abs(bond.plane[0]) > .9 && damages.count(group.vertex) > 0)
+        {
+          ++n_children;
+          EXPECT_FALSE(bond.is_new);
+          EXPECT_EQ(bond.memory.damage, damages.at(group.vertex));
+        }
+  EXPECT_GT(n_children, n_before);
+}
+
+// A body that has been turned far behaves as one that has not.
+TEST(Bonds, TurnedBodyDoesTheSame)
+{
+  const auto turned = [c = std::cos(2.), s = std::sin(2.)](const Vector &v) {
+    return Vector{{c * v[0] - s * v[1], s * v[0] + c * v[1], v[2]}};
+  };
+  BondedBody straight(bar()), oblique(bar());
+  for (BondedBody *body : {&straight, &oblique})
+    {
+      body->split(body->faces_in_plane(0, edge), across, time_step);
+      stretch(*body, 10, {{.8, .6, 0}});
+    }
+  for (NodeIndex node = 0; node < oblique.state.n_nodes(); ++node)
+    {
+      const Vector x = oblique.state.reference[node].vector();
+      const Vector u = turned(x) - x;
+      const Vector v = turned(oblique.state.velocity[node].vector());
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          oblique.state.displacement[node][d] = u[d];
+          oblique.state.velocity[node][d]     = v[d];
+        }
+    }
+  run(straight, 100);
+  run(oblique, 100);
+  EXPECT_GT(largest_damage(straight), .01);
+  EXPECT_NEAR(oblique.used().fracture,
+              straight.used().fracture,
+              1e-6 * straight.used().fracture);
+  const auto &a = straight.bonds.vertices(), &b = oblique.bonds.vertices();
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t k = 0; k < a[i].bonds.size(); ++k)
+      EXPECT_LT(norm(turned(a[i].bonds[k].traction) - b[i].bonds[k].traction),
+                1e-6 * 15e6);
+}
+
+// A body that spins while it breaks uses the same energy.
+TEST(Bonds, SpinningBodyTakesTheFractureEnergy)
+{
+  BondedBody body(bar());
+  body.split(body.faces_in_plane(0, edge), across, time_step);
+  stretch(body, 20, across);
+  // It turns by 0.4 in the time of 20 us.
+  constexpr double rate = 2e4;
+  for (NodeIndex node = 0; node < body.state.n_nodes(); ++node)
+    {
+      const Vector x = body.state.reference[node].vector();
+      body.state.velocity[node][0] -= rate * (x[1] - .5 * edge);
+      body.state.velocity[node][1] += rate * (x[0] - edge);
+    }
+  run(body, 2000);
+  for (const VertexBonds &group : body.bonds.vertices())
+    for (const Bond &bond : group.bonds)
+      EXPECT_EQ(bond.memory.damage, 1);
+  EXPECT_NEAR(body.used().fracture / (400 * edge * edge), 1, .05);
+}

@@ -1,0 +1,8 @@
+# Goes on with bonds between the parts of nodes and with contact, which takes
+# over faces that have failed.
+#
+#   bash bonds.sh RIFT RANKS [ELEMENT_SIZE]
+. "$(dirname "$0")/common.sh"
+goes_on 400 450 50 "$here/spalling.prm" \
+  --set "Fracture/Cohesive law=bonds" --set "Time/Time step=2e-7" \
+  --set "Mesh/Element size=${3:-7e-3}" --set "Contact/Contact=true"
