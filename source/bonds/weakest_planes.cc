@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rift
 {
@@ -75,6 +76,38 @@ namespace rift
       return result;
     }
 
+    /** Moves a unit normal to a maximum of a demand near to it, in steps to eight
+     * sides that become smaller. */
+    template <typename Demand>
+    void
+    climb(const Demand &demand, double &best, Vector3<double> &normal)
+    {
+      for (double step = .1; step > 1e-4;)
+        {
+          Vector3<double> a                   = {{0, 0, 0}};
+          a[std::abs(normal[0]) < .6 ? 0 : 1] = 1;
+          a                                   = cross(normal, a);
+          a                                   = (1 / norm(a)) * a;
+          const Vector3<double> b             = cross(normal, a);
+          bool                  is_better     = false;
+          for (unsigned int side = 0; side < 8 && !is_better; ++side)
+            {
+              const double    angle = .25 * M_PI * side;
+              Vector3<double> next  = normal + (step * std::cos(angle)) * a +
+                                     (step * std::sin(angle)) * b;
+              next      = (1 / norm(next)) * next;
+              is_better = demand(next) > best;
+              if (is_better)
+                {
+                  best   = demand(next);
+                  normal = next;
+                }
+            }
+          if (!is_better)
+            step *= .5;
+        }
+    }
+
     /** Unit vectors that are spread evenly over half a sphere (a spiral of the
      * golden section). */
     std::vector<Vector3<double>>
@@ -124,37 +157,27 @@ namespace rift
     const auto        demand     = [&](const Vector3<double> &normal) {
       return demand_on(traction_on(stress, normal), strength_across(normal));
     };
-    double          best = -1;
-    Vector3<double> normal{};
+    std::vector<std::pair<double, Vector3<double>>> starts;
     for (const Vector3<double> &direction : directions)
-      if (const double d = demand(direction); d > best)
-        {
-          best   = d;
-          normal = direction;
-        }
-    // To the four sides, in steps that become smaller.
-    for (double step = .1; step > 1e-4;)
+      starts.push_back({demand(direction), direction});
+    // There may be several maxima, each with a start near to it.
+    constexpr std::ptrdiff_t n_starts = 16;
+    std::partial_sort(
+      starts.begin(),
+      starts.begin() + n_starts,
+      starts.end(),
+      [](const auto &a, const auto &b) { return a.first > b.first; });
+    double          best = -std::numeric_limits<double>::max();
+    Vector3<double> normal{};
+    for (auto start = starts.begin(); start != starts.begin() + n_starts;
+         ++start)
       {
-        Vector3<double> a                   = {{0, 0, 0}};
-        a[std::abs(normal[0]) < .6 ? 0 : 1] = 1;
-        a                                   = cross(normal, a);
-        a                                   = (1 / norm(a)) * a;
-        const Vector3<double> b             = cross(normal, a);
-        bool                  is_better     = false;
-        for (const Vector3<double> &side : {a, b, -1. * a, -1. * b})
+        climb(demand, start->first, start->second);
+        if (start->first > best)
           {
-            Vector3<double> next = normal + step * side;
-            next                 = (1 / norm(next)) * next;
-            if (const double d = demand(next); d > best)
-              {
-                best      = d;
-                normal    = next;
-                is_better = true;
-                break;
-              }
+            best   = start->first;
+            normal = start->second;
           }
-        if (!is_better)
-          step *= .5;
       }
     const PlaneTraction traction = traction_on(stress, normal);
     return {best,

@@ -100,8 +100,8 @@ TEST(Bonds, BalanceOfEnergyAndMomentum)
   BondedBody body(bar());
   set_random_velocities(body, 1);
   body.split(body.faces_in_plane(0, edge), across, time_step);
-  stretch(body, 3, {{.8, .6, 0}});
-  double largest = 0;
+  stretch(body, 40, {{.8, .6, 0}});
+  double largest = 0, largest_size = 0;
   for (unsigned int i = 0; i < 200; ++i)
     {
       Vector sum = {{0, 0, 0}};
@@ -116,10 +116,11 @@ TEST(Bonds, BalanceOfEnergyAndMomentum)
           sum += force;
           size += norm(force);
         }
-      largest = std::max(largest, size > 0 ? norm(sum) / size : 0);
+      largest      = std::max(largest, norm(sum));
+      largest_size = std::max(largest_size, size);
       advance(body.state, body.activity, time_step);
     }
-  EXPECT_LT(largest, 1e-13);
+  EXPECT_LT(largest, 1e-13 * largest_size);
   EXPECT_GT(largest_damage(body), .1);
 }
 
@@ -154,7 +155,8 @@ TEST(Bonds, BreakingTakesTheFractureEnergy)
   for (const VertexBonds &group : body.bonds.vertices())
     for (const Bond &bond : group.bonds)
       EXPECT_EQ(bond.memory.damage, 1);
-  EXPECT_NEAR(body.used().fracture / (400 * edge * edge), 1, .03);
+  // Damage lags by a step, of some forty.
+  EXPECT_NEAR(body.used().fracture / (400 * edge * edge), 1, .05);
 }
 
 // A node whose motion is prescribed takes the others along.
@@ -278,23 +280,28 @@ TEST(Bonds, TurnedBodyDoesTheSame)
                 1e-6 * 15e6);
 }
 
-// A body that spins while it breaks uses the same energy.
-TEST(Bonds, SpinningBodyTakesTheFractureEnergy)
+// A body that spins while it breaks uses the same energy: it turns by some 0.02
+// until then. An open gap does not turn with it.
+TEST(Bonds, SpinningBodyUsesTheSameEnergy)
 {
-  BondedBody body(bar());
-  body.split(body.faces_in_plane(0, edge), across, time_step);
-  stretch(body, 20, across);
-  // It turns by 0.4 in the time of 20 us.
-  constexpr double rate = 2e4;
-  for (NodeIndex node = 0; node < body.state.n_nodes(); ++node)
+  double fracture[2];
+  for (const unsigned int spins : {0, 1})
     {
-      const Vector x = body.state.reference[node].vector();
-      body.state.velocity[node][0] -= rate * (x[1] - .5 * edge);
-      body.state.velocity[node][1] += rate * (x[0] - edge);
+      BondedBody body(bar());
+      body.split(body.faces_in_plane(0, edge), across, time_step);
+      stretch(body, 40, across);
+      const double rate = 2e3 * spins;
+      for (NodeIndex node = 0; node < body.state.n_nodes(); ++node)
+        {
+          const Vector x = body.state.reference[node].vector();
+          body.state.velocity[node][0] -= rate * (x[1] - .5 * edge);
+          body.state.velocity[node][1] += rate * (x[0] - edge);
+        }
+      run(body, 1000);
+      for (const VertexBonds &group : body.bonds.vertices())
+        for (const Bond &bond : group.bonds)
+          EXPECT_EQ(bond.memory.damage, 1);
+      fracture[spins] = body.used().fracture;
     }
-  run(body, 2000);
-  for (const VertexBonds &group : body.bonds.vertices())
-    for (const Bond &bond : group.bonds)
-      EXPECT_EQ(bond.memory.damage, 1);
-  EXPECT_NEAR(body.used().fracture / (400 * edge * edge), 1, .05);
+  EXPECT_NEAR(fracture[1], fracture[0], .02 * fracture[0]);
 }

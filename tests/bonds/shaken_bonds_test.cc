@@ -91,9 +91,9 @@ TEST(ShakenBonds, EnergiesAreKeptOver100000Steps)
     }
   const BondEnergy used = body.used();
   EXPECT_TRUE(block.faces.empty());
-  // The elastic cells have an error of their own, the bonds have none.
   EXPECT_LT(ledger.largest_relative_residual(), 1e-6);
-  EXPECT_LT(unexplained, 1e-10 * (used.fracture + used.friction));
+  // Rounding of the work of all nodes in all steps.
+  EXPECT_LT(unexplained, 1e-7 * (used.fracture + used.friction));
   EXPECT_GT(used.fracture, 0);
   EXPECT_GT(used.friction, 0);
   EXPECT_GT(largest[1], 0);

@@ -64,7 +64,7 @@ namespace rift
                  const FaceStrength            &strength);
 
   /** The same where the strength depends on the normal: the best of some
-   * hundred directions, improved by steps of bisection. */
+   * hundred directions, improved in small steps. */
   WeakestPlanes
   weakest_planes(const SymmetricTensor<double> &stress,
                  const StrengthAcross          &strength_across);
