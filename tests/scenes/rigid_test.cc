@@ -42,7 +42,7 @@ TEST(Rigid, HammerIsSlowedDownByTheWave)
           early_time = state.time;
         }
     }
-  // Cells of a quarter of the width; half of that gives 0.6 % (README.md of the
+  // Cells of a quarter of the width; half of that gives 0.1 % (README.md of the
   // scene).
   EXPECT_NEAR(std::log(early / hammer_speed()) / (state.time - early_time) /
                 rate,
