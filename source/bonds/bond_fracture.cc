@@ -159,21 +159,17 @@ namespace rift
   BondFracture::account(const Discretization &, EnergyTable &energies) const
   {
     // All ranks must name them.
-    ExactSum &fracture = energies["fracture"];
-    for (const VertexBonds &group : bonds.vertices())
-      if (topology.owns_node(group.parts[0]))
-        for (const Bond &bond : group.bonds)
-          fracture.add(bond.energy.fracture);
-    ExactSum &friction = energies["friction"];
-    for (const VertexBonds &group : bonds.vertices())
-      if (topology.owns_node(group.parts[0]))
-        for (const Bond &bond : group.bonds)
-          friction.add(bond.energy.friction);
-    ExactSum &closing = energies["closing"];
-    for (const VertexBonds &group : bonds.vertices())
-      if (topology.owns_node(group.parts[0]))
-        for (const Bond &bond : group.bonds)
-          closing.add(bond.energy.closing);
+    for (const auto &[name, part] :
+         {std::make_pair("fracture", &BondEnergy::fracture),
+          std::make_pair("friction", &BondEnergy::friction),
+          std::make_pair("closing", &BondEnergy::closing)})
+      {
+        ExactSum &sum = energies[name];
+        for (const VertexBonds &group : bonds.vertices())
+          for (const Bond &bond : group.bonds)
+            if (topology.owns_node(group.parts[0]))
+              sum.add(bond.energy.*part);
+      }
   }
 
   std::optional<OpenFace>
@@ -191,34 +187,40 @@ namespace rift
   std::vector<FaceMeans>
   BondFracture::means(const State &state) const
   {
-    const auto            &faces = bonds.faces().faces;
+    const auto &faces = bonds.faces().faces;
+    // Of each corner; one that has not parted counts as intact.
+    std::vector<std::array<FaceMeans, 3>> corners(faces.size());
+    for (const VertexBonds &group : bonds.vertices())
+      for (const Bond &bond : group.bonds)
+        for (std::uint32_t f = bond.fan_begin; f < bond.fan_end; ++f)
+          {
+            FaceMeans &corner = corners[group.fan[f].face][group.fan[f].corner];
+            const Vector3<double> jump = jump_of(group, bond, state);
+            const auto t  = BondLaw::split(bond.traction, bond.normal);
+            corner.damage = bond.memory.damage;
+            corner.slip_damage =
+              std::clamp(bond.memory.slip_damage, 0., bond.memory.damage);
+            corner.opening_damage = corner.damage - corner.slip_damage;
+            corner.opening        = dot(jump, bond.normal);
+            corner.slip           = norm(jump - corner.opening * bond.normal);
+            corner.normal         = t.normal;
+            corner.shear          = norm(t.shear);
+          }
     std::vector<FaceMeans> result(faces.size());
     for (std::size_t i = 0; i < faces.size(); ++i)
       {
         result[i].start_time   = faces[i].start_time;
         result[i].failure_time = faces[i].failure_time;
+        for (double FaceMeans::*const value : {&FaceMeans::damage,
+                                               &FaceMeans::opening_damage,
+                                               &FaceMeans::slip_damage,
+                                               &FaceMeans::opening,
+                                               &FaceMeans::slip,
+                                               &FaceMeans::normal,
+                                               &FaceMeans::shear})
+          for (const FaceMeans &corner : corners[i])
+            result[i].*value += corner.*value / 3;
       }
-    // A corner that has not parted counts as intact.
-    constexpr double third = 1. / 3;
-    for (const VertexBonds &group : bonds.vertices())
-      for (const Bond &bond : group.bonds)
-        {
-          const Vector3<double> jump =
-            state.displacement[group.parts[bond.parts[1]]].vector() -
-            state.displacement[group.parts[bond.parts[0]]].vector();
-          for (std::uint32_t f = bond.fan_begin; f < bond.fan_end; ++f)
-            {
-              FaceMeans             &mean    = result[group.fan[f].face];
-              const Vector3<double> &m       = bond.plane;
-              const double           opening = dot(jump, m);
-              const auto             t       = BondLaw::split(bond.traction, m);
-              mean.damage += third * bond.memory.damage;
-              mean.opening += third * opening;
-              mean.slip += third * norm(jump - opening * m);
-              mean.normal += third * t.normal;
-              mean.shear += third * norm(t.shear);
-            }
-        }
     return result;
   }
 

@@ -29,6 +29,7 @@ namespace rift
             record.normal      = bond.normal;
             record.traction    = bond.traction;
             record.damage      = bond.memory.damage;
+            record.slip_damage = bond.memory.slip_damage;
             record.excess      = bond.memory.excess;
             record.fracture    = bond.energy.fracture;
             record.friction    = bond.energy.friction;
@@ -69,11 +70,12 @@ namespace rift
               const NodeIndex second) -> std::optional<Bond> {
             const BondRecord &record = *by_nodes.at({first, second});
             Bond              bond{};
-            bond.plane            = record.plane;
-            bond.traction         = record.traction;
-            bond.memory.damage    = record.damage;
-            bond.memory.excess    = record.excess;
-            bond.memory.softening = solver.law.softening_at(record.damage);
+            bond.plane              = record.plane;
+            bond.traction           = record.traction;
+            bond.memory.damage      = record.damage;
+            bond.memory.slip_damage = record.slip_damage;
+            bond.memory.excess      = record.excess;
+            bond.memory.softening   = solver.law.softening_at(record.damage);
             bond.energy  = {record.fracture, record.friction, record.closing};
             bond.is_tied = record.is_tied != 0;
             bond.is_released = record.is_released != 0;

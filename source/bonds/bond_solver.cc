@@ -235,7 +235,7 @@ namespace rift
   }
 
   void
-  BondSolver::solve(VertexBonds &group)
+  BondSolver::solve(const VertexBonds &group)
   {
     // One bond alone is exact at once.
     const unsigned int most_turns = group.n_active > 1 ? 30 : 1;

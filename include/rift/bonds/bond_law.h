@@ -25,6 +25,9 @@ namespace rift
       /** Damage from 0 to 1. */
       double damage = 0;
 
+      /** What of the damage sliding has done, for output. */
+      double slip_damage = 0;
+
       /** What the demand at the start was above 1. */
       double excess = 0;
 
@@ -173,19 +176,24 @@ namespace rift
       if (limit <= 0)
         return;
       const double work_of_slip = dot(traction.shear, slip);
-      double       growth       = 0;
+      double       by_opening = 0, by_slip = 0;
       if (traction.normal > 0)
-        growth = Softening::integral / limit *
-                 (traction.normal * opening / strength.fracture_energy_1 +
-                  work_of_slip / strength.fracture_energy_2);
+        {
+          by_opening = Softening::integral / limit * traction.normal * opening /
+                       strength.fracture_energy_1;
+          by_slip = Softening::integral / limit * work_of_slip /
+                    strength.fracture_energy_2;
+        }
       else
-        growth = Softening::integral * strength.cohesion /
-                 strength.fracture_energy_2 * work_of_slip /
-                 std::max(norm(traction.shear), 1e-9 * strength.cohesion);
+        by_slip = Softening::integral * strength.cohesion /
+                  strength.fracture_energy_2 * work_of_slip /
+                  std::max(norm(traction.shear), 1e-9 * strength.cohesion);
+      const double growth = by_opening + by_slip;
       if (growth <= 0)
         return;
       constexpr double damage_of_excess = .01;
       memory.damage                     = std::min(1., memory.damage + growth);
+      memory.slip_damage += by_slip;
       memory.excess = std::max(0., memory.excess - growth / damage_of_excess);
       memory.softening = softening(memory.damage);
     }

@@ -91,7 +91,7 @@ namespace rift
 
     /** Finds the tractions, bond by bond and again until they agree. */
     void
-    solve(VertexBonds &group);
+    solve(const VertexBonds &group);
 
     /** Makes the unknowns of that, with the tractions of the last step. */
     void

@@ -29,13 +29,13 @@ namespace rift
 
     /** See Bond. */
     Vector3<double> plane, normal, traction;
-    double          damage, excess, fracture, friction, closing;
+    double          damage, slip_damage, excess, fracture, friction, closing;
   };
 
   template <>
   struct HasPlainBytes<BondRecord> : std::true_type
   {
-    static_assert(sizeof(BondRecord) == 4 * 8 + 14 * sizeof(double));
+    static_assert(sizeof(BondRecord) == 4 * 8 + 15 * sizeof(double));
   };
 
   /** The bonds at all complete vertices. */

@@ -46,7 +46,7 @@ namespace rift
     /** Jumps, m, and tractions, Pa: normal and in magnitude the rest. */
     double opening = 0, slip = 0, normal = 0, shear = 0;
 
-    /** Squares of the two parts of the damage. */
+    /** Parts of opening and of sliding in the damage, up to a common factor. */
     double opening_damage = 0, slip_damage = 0;
 
     /** Times at which it has begun to open, and at which it has failed, s; the
