@@ -284,12 +284,11 @@ namespace rift
     solid->write(d.state.time,
                  solid_solution(d.topology, fields, output_fields));
     if (fracture)
-      fracture->write(
-        d.state.time,
-        fracture_solution(d.topology,
-                          *snapshot.modules.fracture,
-                          fields,
-                          output_fields));
+      fracture->write(d.state.time,
+                      fracture_solution(d.topology,
+                                        *snapshot.modules.fracture,
+                                        fields,
+                                        output_fields));
     flush();
   }
 

@@ -32,7 +32,8 @@ namespace rift
     {
       std::vector<NamedLaw> result = {
         {CohesiveParameters::bonds,
-         "cracks run along planes through nodes, and the traction on a plane is "
+         "cracks run along planes through nodes, and the traction on a plane "
+         "is "
          "what holds its sides together, up to a Mohr-Coulomb envelope that "
          "softens; strength and fracture energy do not depend on the mesh",
          {CohesiveModel::extrinsic}}};
@@ -258,12 +259,12 @@ namespace rift
       names.push_back("Cohesive penalty");
     if (model == Model::none)
       names.insert(names.end(), {"Cohesive law", "Seed"});
-    std::vector<InertEntries> result = {
-      {section,
-       names,
-       {{section, "Cohesive model"}},
-       model == Model::none ? "without a cohesive model" :
-                              "with this cohesive model"}};
+    std::vector<InertEntries> result = {{section,
+                                         names,
+                                         {{section, "Cohesive model"}},
+                                         model == Model::none ?
+                                           "without a cohesive model" :
+                                           "with this cohesive model"}};
     if (model == Model::extrinsic && law == bonds)
       result.push_back({section,
                         {"Stiffness factor", "Least share of strength"},

@@ -116,9 +116,8 @@ namespace rift
     const double share_of_element =
       fracture != nullptr ? fracture->share_of_stiffness() : 0;
     if (fracture != nullptr)
-      fracture->leave_failed_faces_to_contact(
-        ContactForce::look_interval,
-        ContactForce::opening);
+      fracture->leave_failed_faces_to_contact(ContactForce::look_interval,
+                                              ContactForce::opening);
     force.emplace(
       body.topology,
       body.communicator,

@@ -93,8 +93,8 @@ namespace rift
           {
             // Farther than where they have been searched for, and where they
             // may have gone since: they will be found again.
-            const double far = 2 * (members[cells[i].a].margin +
-                                    members[cells[i].b].margin);
+            const double far =
+              2 * (members[cells[i].a].margin + members[cells[i].b].margin);
             if (!(gaps[i] > 0))
               near.push_back(cells[i]);
             else if (gaps[i] > far)

@@ -347,8 +347,7 @@ namespace rift
                  static_cast<std::uint8_t>(told.corner),
                  {{told.force[0], told.force[1], told.force[2]}}});
           }
-        for (const NewsMessage &told :
-             take<NewsMessage>(bytes, header.n_news))
+        for (const NewsMessage &told : take<NewsMessage>(bytes, header.n_news))
           change.news.push_back({topology.find_cell(told.cell),
                                  told.corner,
                                  told.local_face,
