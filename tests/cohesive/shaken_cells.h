@@ -208,9 +208,7 @@ namespace rift::test
               edges[e][d] = batch.edges[e][d][lane];
           outcome.area += .5 * norm(cross(edges[0], edges[1]));
         }
-    outcome.n_failed = std::count(body.topology.face_states.begin(),
-                                  body.topology.face_states.end(),
-                                  FaceState::failed);
+    outcome.n_failed = body.force.count_faces(Communicator()).failed;
     return outcome;
   }
 
