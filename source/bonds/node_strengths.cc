@@ -50,7 +50,15 @@ namespace rift
           continue;
         Group group{members, weakest_across(materials, members, any), false};
         for (const std::uint16_t m : members)
-          group.is_directional |= materials[m].has_directional_strength();
+          {
+            group.is_directional |= materials[m].has_directional_strength();
+            group.strength.tensile_strength =
+              std::min(group.strength.tensile_strength,
+                       materials[m].tensile_strength.smallest());
+            group.strength.cohesion =
+              std::min(group.strength.cohesion,
+                       materials[m].cohesion.smallest());
+          }
         groups.push_back(group);
       }
   }
@@ -77,9 +85,11 @@ namespace rift
   NodeStrengths::largest_demand(const VertexIndex              vertex,
                                 const SymmetricTensor<double> &stress) const
   {
-    const Group &group = groups[group_of_vertex[vertex]];
-    return group.is_directional ? weakest_planes(vertex, stress).demand :
-                                  rift::largest_demand(stress, group.strength);
+    const Group &group  = groups[group_of_vertex[vertex]];
+    const double demand = rift::largest_demand(stress, group.strength);
+    return group.is_directional && demand >= 1 ?
+             weakest_planes(vertex, stress).demand :
+             demand;
   }
 
   WeakestPlanes

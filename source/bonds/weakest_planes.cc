@@ -172,6 +172,10 @@ namespace rift
     for (auto start = starts.begin(); start != starts.begin() + n_starts;
          ++start)
       {
+        // A start far below the best one leads no higher.
+        constexpr double far_below = .7;
+        if (start->first < far_below * best)
+          break;
         climb(demand, start->first, start->second);
         if (start->first > best)
           {

@@ -41,7 +41,8 @@ namespace rift
     FaceStrength
     strength(VertexIndex vertex, const Vector3<double> &normal) const;
 
-    /** The largest demand of all planes through a vertex that can break. */
+    /** The largest demand of all planes through a vertex that can break; an upper
+     * bound where that is below 1. */
     double
     largest_demand(VertexIndex                    vertex,
                    const SymmetricTensor<double> &stress) const;
@@ -62,7 +63,8 @@ namespace rift
     {
       std::vector<std::uint16_t> materials;
 
-      /** Where it does not depend on the direction. */
+      /** Where it does not depend on the direction; otherwise the smallest
+       * tensile strength and cohesion of all directions. */
       FaceStrength strength;
       bool         is_directional;
     };
