@@ -40,13 +40,12 @@ namespace rift
   BondFracture::follow_cut(const StepContext    &step,
                            const TopologyChange &change)
   {
+    const std::vector<CrackFaces::Face> &faces    = bonds.faces().faces;
+    const std::size_t                    n_before = faces.size();
     bonds.rebuild(body.state, change.splits, step.time_step);
     insertion.follow_cut(change.splits);
-    for (const CrackFaces::Face &face : bonds.faces().faces)
-      {
-        FaceState &state = body.topology.face_states[face.index];
-        state            = std::max(state, FaceState::opening);
-      }
+    for (std::size_t i = n_before; i < faces.size(); ++i)
+      advance_state(faces[i], FaceState::opening);
   }
 
   void
@@ -88,11 +87,18 @@ namespace rift
     if (face.failed == all)
       return;
     face.failed |= 1u << corner;
-    if (face.failed != all)
-      return;
-    face.failure_time = time;
-    FaceState &state  = body.topology.face_states[face.index];
-    state             = std::max(state, FaceState::failed);
+    if (face.failed == all)
+      face.failure_time = time;
+    advance_state(face,
+                  face.failed == all ? FaceState::failed : FaceState::opening);
+  }
+
+  void
+  BondFracture::advance_state(const CrackFaces::Face &face,
+                              const FaceState         next)
+  {
+    FaceState &state = body.topology.face_states[face.index];
+    state            = std::max(state, next);
   }
 
   void

@@ -1,4 +1,5 @@
 #include <rift/bonds/bond_solver.h>
+#include <rift/bonds/weakest_planes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,15 +42,6 @@ namespace rift
                       std::max(0., dot(traction, traction) - normal * normal),
                       normal);
       return borne.normal == normal && borne.shear_factor == 1;
-    }
-
-    Vector3<double>
-    relative_velocity(const VertexBonds &group,
-                      const Bond        &bond,
-                      const State       &state)
-    {
-      return state.velocity[group.parts[bond.parts[1]]].vector() -
-             state.velocity[group.parts[bond.parts[0]]].vector();
     }
   } // namespace
 
@@ -180,12 +172,7 @@ namespace rift
       {
         const auto t = BondLaw::split(bond.traction, bond.normal);
         bond.memory.excess =
-          std::max(0.,
-                   BondLaw::demand(bond.strength,
-                                   t.normal,
-                                   norm(t.shear),
-                                   bond.strength.tan_friction_angle) -
-                     1);
+          std::max(0., demand_on({t.normal, norm(t.shear)}, bond.strength) - 1);
       }
     bond.is_new = bond.is_counted = false;
   }

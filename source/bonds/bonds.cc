@@ -1,6 +1,6 @@
 #include <rift/base/check.h>
 #include <rift/bonds/bonds.h>
-#include <rift/bonds/node_star.h>
+#include <rift/discretization/discretization.h>
 #include <rift/mesh/mesh_data.h>
 
 #include <algorithm>
@@ -18,44 +18,6 @@ namespace rift
     /** Steps after which normals are turned again: no body turns far within
      * them. */
     constexpr std::uint64_t steps_of_normal = 16;
-
-    /** Brings what a vertex has into the cache: it is scattered over memory. */
-    void
-    prefetch(const VertexBonds &group)
-    {
-      __builtin_prefetch(group.parts.data());
-      __builtin_prefetch(group.masses.data());
-      __builtin_prefetch(group.root.data());
-      const char *const inverse =
-        reinterpret_cast<const char *>(group.inverse.data());
-      for (std::size_t i = 0; i < group.inverse.size() * sizeof(double);
-           i += 64)
-        __builtin_prefetch(inverse + i);
-      const char *const bonds =
-        reinterpret_cast<const char *>(group.bonds.data());
-      for (std::size_t i = 0; i < group.bonds.size() * sizeof(Bond); i += 64)
-        __builtin_prefetch(bonds + i);
-    }
-
-    /** And what its nodes have. */
-    void
-    prefetch(const VertexBonds &group, const State &state)
-    {
-      for (const NodeIndex node : group.parts)
-        {
-          __builtin_prefetch(&state.velocity[node]);
-          __builtin_prefetch(&state.force[node]);
-        }
-    }
-
-    Vector3<double>
-    relative_velocity(const VertexBonds &group,
-                      const Bond        &bond,
-                      const State       &state)
-    {
-      return state.velocity[group.parts[bond.parts[1]]].vector() -
-             state.velocity[group.parts[bond.parts[0]]].vector();
-    }
 
     /** The nodes at a vertex, by their smallest cells. */
     std::vector<NodeIndex>
@@ -92,14 +54,11 @@ namespace rift
                  const std::vector<NodeSplit> &splits,
                  const double                  time_step)
   {
-    std::vector<VertexIndex> vertices;
+    std::map<VertexIndex, std::vector<NodeSplit>> splits_at;
     for (const NodeSplit &split : splits)
-      vertices.push_back(topology.node_vertices[split.parts[0]]);
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()),
-                   vertices.end());
-    crack_faces.update_nodes(vertices);
-    for (const VertexIndex vertex : vertices)
+      splits_at[topology.node_vertices[split.parts[0]]].push_back(split);
+    crack_faces.update_nodes(vertices_of(topology, splits));
+    for (const auto &[vertex, here] : splits_at)
       {
         const auto [place, is_new] = group_of_vertex.insert(
           {vertex, static_cast<std::uint32_t>(groups.size())});
@@ -115,8 +74,7 @@ namespace rift
             bond.is_counted = true;
           }
         const VertexBonds old = std::move(groups[place->second]);
-        groups[place->second] =
-          make_group(state, vertex, heritage(old, splits));
+        groups[place->second] = make_group(state, vertex, heritage(old, here));
       }
   }
 
@@ -299,13 +257,8 @@ namespace rift
               const PrescribedAcceleration &prescribed)
   {
     failed_corners.clear();
-    for (std::size_t g = 0; g < groups.size(); ++g)
+    for (VertexBonds &group : groups)
       {
-        if (g + 4 < groups.size())
-          prefetch(groups[g + 4]);
-        if (g + 2 < groups.size())
-          prefetch(groups[g + 2], state);
-        VertexBonds &group = groups[g];
         if (group.n_active == 0)
           continue;
         if (state.step % steps_of_normal == 0)

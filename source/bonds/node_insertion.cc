@@ -50,8 +50,11 @@ namespace rift
           planes.of_faces.insert({next.face, next.plane}).second)
         faces.push_back(next.face);
     due.clear();
-    for (const auto &[vertex, part] : due_planes)
-      planes.at_vertices[vertex].push_back(part);
+    for (const auto &[vertex, parts] : due_planes)
+      {
+        auto &all = planes.at_vertices[vertex];
+        all.insert(all.end(), parts.begin(), parts.end());
+      }
     due_planes.clear();
     std::sort(faces.begin(), faces.end());
     return faces;
@@ -142,10 +145,13 @@ namespace rift
                            const CrackPlanes::Part &part)
   {
     // Other ranks tell of it once for each cell.
-    for (const auto &[known_vertex, known] : due_planes)
-      if (known_vertex == vertex && known.normal == part.normal)
-        return;
-    due_planes.push_back({vertex, part});
+    auto &parts = due_planes[vertex];
+    if (std::none_of(parts.begin(),
+                     parts.end(),
+                     [&part](const CrackPlanes::Part &known) {
+                       return known.normal == part.normal;
+                     }))
+      parts.push_back(part);
   }
 
   SymmetricTensor<double>

@@ -101,15 +101,16 @@ namespace rift
     archive.write_list("crack faces due", of_faces);
 
     std::vector<DuePlaneRecord> of_planes;
-    for (const auto &[vertex, part] : due_planes)
+    for (const auto &[vertex, parts] : due_planes)
       if (topology.owns_node(vertex))
         for (const CellIndex *cell = topology.vertex_cells_first(vertex);
              cell != topology.vertex_cells_last(vertex);
              ++cell)
-          of_planes.push_back({{topology.cell_global_indices[*cell],
-                                topology.corner_at_vertex(*cell, vertex)},
-                               part.normal,
-                               part.area});
+          for (const CrackPlanes::Part &part : parts)
+            of_planes.push_back({{topology.cell_global_indices[*cell],
+                                  topology.corner_at_vertex(*cell, vertex)},
+                                 part.normal,
+                                 part.area});
     archive.write_list("crack planes due", of_planes);
 
     std::vector<WaitRecord> of_waiting;

@@ -112,29 +112,32 @@ namespace rift
     constexpr double    margin  = .99;
     constexpr double    largest = std::numeric_limits<double>::max();
     const std::size_t   n       = materials.size();
-    std::vector<double> smallest(2 * n + 1, largest);
+    std::vector<double> tension(n, largest), cohesion(n, largest),
+      least_friction(n, largest), most_friction(n, 0);
     for (const Group &group : groups)
       for (const std::uint16_t m : group.materials)
-        for (const std::uint16_t other : group.materials)
-          {
-            smallest[2 * m] =
-              std::min(smallest[2 * m],
-                       materials[other].tensile_strength.smallest());
-            smallest[2 * m + 1] =
-              std::min(smallest[2 * m + 1],
-                       materials[other].cohesion.smallest());
-            smallest[2 * n] =
-              std::min(smallest[2 * n],
-                       std::tan(materials[other].friction_angle));
-          }
-    for (double &value : smallest)
-      value = -communicator.max(-value);
+        {
+          const double tan = group.strength.tan_friction_angle;
+          tension[m]  = std::min(tension[m], group.strength.tensile_strength);
+          cohesion[m] = std::min(cohesion[m], group.strength.cohesion);
+          least_friction[m] = std::min(least_friction[m], tan);
+          most_friction[m]  = std::max(most_friction[m], tan);
+        }
     StressBounds bounds{std::vector<std::optional<StressBound>>(n), {}};
     for (std::size_t m = 0; m < n; ++m)
-      if (smallest[2 * m] < largest)
-        bounds.materials[m] = StressBound{margin * smallest[2 * m],
-                                          margin * smallest[2 * m + 1],
-                                          smallest[2 * n]};
+      {
+        const double t    = -communicator.max(-tension[m]);
+        const double c    = -communicator.max(-cohesion[m]);
+        const double low  = -communicator.max(-least_friction[m]);
+        const double high = communicator.max(most_friction[m]);
+        // Less friction allows more shear under pressure and, at most by the
+        // tensile strength times the difference, less in tension.
+        if (t < largest)
+          bounds.materials[m] =
+            StressBound{margin * t,
+                        margin * std::max(0., c - (high - low) * t),
+                        low};
+      }
     return bounds;
   }
 } // namespace rift

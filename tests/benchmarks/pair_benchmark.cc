@@ -39,10 +39,9 @@ namespace rift::test
     void
     report(benchmark::State &bench)
     {
-      bench.counters["per_pair"] =
-        benchmark::Counter(1. * n_pairs * bench.iterations(),
-                           benchmark::Counter::kIsRate |
-                             benchmark::Counter::kInvert);
+      bench.counters["per_pair"] = benchmark::Counter(
+        1. * n_pairs * bench.iterations(),
+        benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
     }
 
     void

@@ -102,6 +102,10 @@ namespace rift
     void
     fail_corner(std::uint32_t place, unsigned int corner, double time);
 
+    /** Has a face pass on to a state, unless it is there or further already. */
+    void
+    advance_state(const CrackFaces::Face &face, FaceState next);
+
     /** Leaves failed faces to contact that are open, or have slid far. */
     void
     release_faces();

@@ -61,21 +61,6 @@ namespace rift
                (strength.tan_friction_angle - strength.residual_friction);
     }
 
-    /** The traction over the envelope of an undamaged bond; in tension at most
-     * f(D) + x on the envelope. */
-    static double
-    demand(const FaceStrength &strength,
-           const double        normal,
-           const double        shear,
-           const double        friction)
-    {
-      if (normal > 0)
-        return std::max(normal / strength.tensile_strength,
-                        (shear + strength.tan_friction_angle * normal) /
-                          strength.cohesion);
-      return (shear + friction * normal) / strength.cohesion;
-    }
-
     /** The envelope of a bond at its present damage (eq. 41), Pa. */
     struct Envelope
     {
@@ -143,20 +128,6 @@ namespace rift
               shear_squared > largest * largest ?
                 largest / std::sqrt(shear_squared) :
                 1};
-    }
-
-    /** The same for a traction in space. */
-    static Traction
-    bear(const FaceStrength &strength,
-         const Memory       &memory,
-         const Traction     &trial,
-         const double        closing)
-    {
-      const Borne borne = bear(envelope(strength, memory),
-                               trial.normal,
-                               dot(trial.shear, trial.shear),
-                               closing);
-      return {borne.normal, borne.shear_factor * trial.shear};
     }
 
     /**

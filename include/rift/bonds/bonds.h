@@ -24,7 +24,7 @@ namespace rift
     GlobalCellIndex cells[2];
     std::uint32_t   corners[2];
 
-    /** Bond::is_tied. */
+    /** Bond::is_tied and Bond::is_released. */
     std::uint64_t is_tied, is_released;
 
     /** See Bond. */
@@ -130,7 +130,7 @@ namespace rift
       std::function<std::optional<Bond>(NodeIndex first, NodeIndex second)>;
 
     /** What the bonds of a vertex leave to those between the parts of its
-     * nodes. `old` must outlive the result. */
+     * nodes, which have split there. Both must outlive the result. */
     static Heritage
     heritage(const VertexBonds &old, const std::vector<NodeSplit> &splits);
 

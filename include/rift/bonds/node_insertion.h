@@ -8,6 +8,7 @@
 #include <rift/solid/cell_stresses.h>
 
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 namespace rift
@@ -161,7 +162,7 @@ namespace rift
     std::vector<DueFace> due;
 
     /** Planes that take part in (37a) from the next step on. */
-    std::vector<std::pair<VertexIndex, CrackPlanes::Part>> due_planes;
+    std::unordered_map<VertexIndex, std::vector<CrackPlanes::Part>> due_planes;
 
     /** By node: step from which it is looked at again after it could not be
      * cut, and the step in which it has been looked at last. */

@@ -111,6 +111,16 @@ namespace rift
            state.displacement[group.parts[bond.parts[0]]].vector();
   }
 
+  /** Velocity of the second node of a bond against the first, m/s. */
+  inline Vector3<double>
+  relative_velocity(const VertexBonds &group,
+                    const Bond        &bond,
+                    const State       &state)
+  {
+    return state.velocity[group.parts[bond.parts[1]]].vector() -
+           state.velocity[group.parts[bond.parts[0]]].vector();
+  }
+
   /**
    * Adds what a bond has used while its traction had a mean value.
    *
