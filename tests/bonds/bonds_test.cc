@@ -1,3 +1,5 @@
+#include <rift/bonds/node_star.h>
+
 #include <gtest/gtest.h>
 
 #include "bonded_body.h"
@@ -208,18 +210,37 @@ TEST(Bonds, PrescribedNodesHoldTheOthers)
 }
 
 // The bonds of nodes that split again go on as they were.
+namespace
+{
+  /** Whether the cells of a node lie at X_0 > `place`. */
+  bool
+  cells_are_behind(const BondedBody &body,
+                   const NodeIndex   node,
+                   const double      place)
+  {
+    const StarCell cell = cells_at_node(body.topology, node)[0];
+    double         sum  = 0;
+    for (unsigned int c = 0; c < n_corners; ++c)
+      sum += body.state.reference[body.topology.node(cell.cell, c)][0] - place;
+    return sum > 0;
+  }
+} // namespace
+
 TEST(Bonds, ChildrenInheritWhatABondRemembers)
 {
   BondedBody body(make_box({{2, 2, 1}}, edge));
   body.split(body.faces_in_plane(0, edge), across, time_step);
   stretch(body, 5, across);
   run(body, 20);
-  std::map<VertexIndex, double> damages;
+  std::map<VertexIndex, double> damages, tensions;
   std::size_t                   n_before = 0;
   for (const VertexBonds &group : body.bonds.vertices())
     {
       ASSERT_EQ(group.bonds.size(), 1u);
-      damages[group.vertex] = group.bonds[0].memory.damage;
+      const Bond &bond       = group.bonds[0];
+      damages[group.vertex]  = bond.memory.damage;
+      tensions[group.vertex] = dot(bond.traction, bond.plane);
+      EXPECT_GT(tensions[group.vertex], 0);
       ++n_before;
     }
   EXPECT_GT(largest_damage(body), .001);
@@ -239,6 +260,11 @@ TEST(Bonds, ChildrenInheritWhatABondRemembers)
           ++n_children;
           EXPECT_FALSE(bond.is_new);
           EXPECT_EQ(bond.memory.damage, damages.at(group.vertex));
+          // From the first node to the second, also where these have changed
+          // places.
+          EXPECT_EQ(dot(bond.traction, bond.plane), tensions.at(group.vertex));
+          EXPECT_EQ(bond.plane[0] > 0,
+                    cells_are_behind(body, group.parts[bond.parts[1]], edge));
         }
   EXPECT_GT(n_children, n_before);
 }

@@ -17,6 +17,9 @@ TEST(NodeStrengths, CellsAtTheirStrengthAreHot)
   std::vector<MaterialParameters> materials = {granite(), granite()};
   materials[0].friction_angle               = 10 * M_PI / 180;
   materials[1].friction_angle               = 50 * M_PI / 180;
+  // Friction counts up to here, in tension.
+  materials[0].tensile_strength = materials[1].tensile_strength =
+    DirectionalValue(30e6);
   BondedBody         bonded(body, materials);
   const Topology    &topology = bonded.topology;
   const StressBounds bounds   = bonded.strengths.stress_bounds(Communicator());
