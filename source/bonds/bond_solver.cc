@@ -27,14 +27,20 @@ namespace rift
       return p[0] + p[1] + p[2];
     }
 
-    /** Whether a bond bears a traction. */
+    /** Whether a bond bears a traction; an open one bears no pressure. */
     bool
-    bears(const Bond            &bond,
+    bears(const VertexBonds     &group,
+          const Bond            &bond,
           const Vector3<double> &traction,
-          const double           pressure_share)
+          const double           pressure_share,
+          const State           &state)
     {
-      const double normal = dot(traction, bond.normal);
-      if (normal < 0 && pressure_share < 1)
+      // Nodes that have moved as one differ by rounding.
+      constexpr double rounding = 1e-9;
+      const double     normal   = dot(traction, bond.normal);
+      if (normal < 0 &&
+          (pressure_share < 1 || dot(jump_of(group, bond, state), bond.normal) >
+                                   rounding * bond.size))
         return false;
       const BondLaw::Borne borne =
         BondLaw::bear(BondLaw::envelope(bond.strength, bond.memory),
@@ -139,7 +145,7 @@ namespace rift
     for (std::size_t i = 0; i < group.bonds.size(); ++i)
       if (const Bond &bond = group.bonds[i];
           !bond.is_new && !bond.is_released &&
-          !bears(bond, traction(bond), share[i]))
+          !bears(group, bond, traction(bond), share[i], state))
         return false;
 
     for (std::size_t p = 0; p < n; ++p)

@@ -16,8 +16,15 @@ namespace rift::test
     explicit BondedBody(
       const Body                            &body,
       const std::vector<MaterialParameters> &the_materials = {granite()})
+      : BondedBody(discretize(body, densities_of(the_materials)), the_materials)
+    {
+    }
+
+    /** Of a body whose cells have an order of their own. */
+    BondedBody(DiscreteBody                           the_body,
+               const std::vector<MaterialParameters> &the_materials)
       : materials(the_materials)
-      , discrete(discretize(body, densities_of(materials)))
+      , discrete(std::move(the_body))
       , topology(discrete.topology)
       , state(discrete.state)
       , internal_force(topology, discrete.reference, laws_of(materials))
