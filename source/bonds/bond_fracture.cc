@@ -172,9 +172,8 @@ namespace rift
       {
         ExactSum &sum = energies[name];
         for (const VertexBonds &group : bonds.vertices())
-          for (const Bond &bond : group.bonds)
-            if (topology.owns_node(group.parts[0]))
-              sum.add(bond.energy.*part);
+          if (topology.owns_node(group.parts[0].node))
+            sum.add(group.energy.*part);
       }
   }
 
@@ -197,21 +196,24 @@ namespace rift
     // Of each corner; one that has not parted counts as intact.
     std::vector<std::array<FaceMeans, 3>> corners(faces.size());
     for (const VertexBonds &group : bonds.vertices())
-      for (const Bond &bond : group.bonds)
-        for (std::uint32_t f = bond.fan_begin; f < bond.fan_end; ++f)
-          {
-            FaceMeans &corner = corners[group.fan[f].face][group.fan[f].corner];
-            const Vector3<double> jump = jump_of(group, bond, state);
-            const auto t  = BondLaw::split(bond.traction, bond.normal);
-            corner.damage = bond.memory.damage;
-            corner.slip_damage =
-              std::clamp(bond.memory.slip_damage, 0., bond.memory.damage);
-            corner.opening_damage = corner.damage - corner.slip_damage;
-            corner.opening        = dot(jump, bond.normal);
-            corner.slip           = norm(jump - corner.opening * bond.normal);
-            corner.normal         = t.normal;
-            corner.shear          = norm(t.shear);
-          }
+      for (std::size_t i = 0; i < group.bonds.size(); ++i)
+        {
+          const Bond        &bond    = group.bonds[i];
+          const BondHistory &history = group.histories[i];
+          FaceMeans          mean{};
+          mean.damage = history.memory.damage;
+          mean.slip_damage =
+            std::clamp(history.memory.slip_damage, 0., mean.damage);
+          mean.opening_damage        = mean.damage - mean.slip_damage;
+          const Vector3<double> jump = jump_of(group, bond, state);
+          mean.opening               = dot(jump, bond.normal);
+          mean.slip                  = norm(jump - mean.opening * bond.normal);
+          const auto t               = BondLaw::split(bond.traction, bond.normal);
+          mean.normal                = t.normal;
+          mean.shear                 = norm(t.shear);
+          for (auto f = history.fan_begin; f < history.fan_end; ++f)
+            corners[group.fan[f].face][group.fan[f].corner] = mean;
+        }
     std::vector<FaceMeans> result(faces.size());
     for (std::size_t i = 0; i < faces.size(); ++i)
       {

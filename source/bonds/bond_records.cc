@@ -12,28 +12,29 @@ namespace rift
   {
     std::vector<BondRecord> result;
     for (const VertexBonds &group : groups)
-      for (const Bond &bond : group.bonds)
-        if (topology.owns_node(group.parts[0]))
+      for (std::size_t i = 0; i < group.bonds.size(); ++i)
+        if (topology.owns_node(group.parts[0].node))
           {
-            BondRecord record{};
+            const Bond        &bond    = group.bonds[i];
+            const BondHistory &history = group.histories[i];
+            BondRecord         record{};
             for (unsigned int side = 0; side < 2; ++side)
               {
                 const StarCell first =
-                  cells_at_node(topology, group.parts[bond.parts[side]])[0];
+                  cells_at_node(topology, group.parts[bond.parts[side]].node)[0];
                 record.cells[side]   = topology.cell_global_indices[first.cell];
                 record.corners[side] = first.corner;
               }
             record.is_tied     = bond.is_tied ? 1 : 0;
             record.is_released = bond.is_released ? 1 : 0;
-            record.plane       = bond.plane;
+            record.is_yielding = group.is_yielding ? 1 : 0;
+            record.plane       = history.plane;
             record.normal      = bond.normal;
             record.traction    = bond.traction;
-            record.damage      = bond.memory.damage;
-            record.slip_damage = bond.memory.slip_damage;
-            record.excess      = bond.memory.excess;
-            record.fracture    = bond.energy.fracture;
-            record.friction    = bond.energy.friction;
-            record.closing     = bond.energy.closing;
+            record.damage      = history.memory.damage;
+            record.slip_damage = history.memory.slip_damage;
+            record.excess      = history.memory.excess;
+            record.energy      = group.energy;
             result.push_back(record);
           }
     return result;
@@ -67,27 +68,31 @@ namespace rift
           state,
           vertex,
           [&](const NodeIndex first,
-              const NodeIndex second) -> std::optional<Bond> {
+              const NodeIndex second) -> std::optional<KnownBond> {
             const BondRecord &record = *by_nodes.at({first, second});
-            Bond              bond{};
-            bond.plane              = record.plane;
-            bond.traction           = record.traction;
-            bond.memory.damage      = record.damage;
-            bond.memory.slip_damage = record.slip_damage;
-            bond.memory.excess      = record.excess;
-            bond.memory.softening   = solver.law.softening_at(record.damage);
-            bond.energy  = {record.fracture, record.friction, record.closing};
-            bond.is_tied = record.is_tied != 0;
-            bond.is_released = record.is_released != 0;
-            return bond;
+            KnownBond         known;
+            BondLaw::Memory  &memory  = known.history.memory;
+            known.history.plane       = record.plane;
+            known.bond.traction       = record.traction;
+            memory.damage             = record.damage;
+            memory.slip_damage        = record.slip_damage;
+            memory.excess             = record.excess;
+            memory.softening          = solver.law.softening_at(record.damage);
+            known.bond.is_tied     = record.is_tied != 0;
+            known.bond.is_released = record.is_released != 0;
+            return known;
           }));
-        // They are as of the step in which they were turned last.
         VertexBonds &group = groups.back();
         for (Bond &bond : group.bonds)
-          bond.normal =
-            by_nodes
-              .at({group.parts[bond.parts[0]], group.parts[bond.parts[1]]})
-              ->normal;
+          {
+            const BondRecord &record =
+              *by_nodes.at({group.parts[bond.parts[0]].node,
+                            group.parts[bond.parts[1]].node});
+            // They are as of the step in which they were turned last.
+            bond.normal       = record.normal;
+            group.is_yielding = record.is_yielding != 0;
+            group.energy      = record.energy;
+          }
       }
   }
 } // namespace rift

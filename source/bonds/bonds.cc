@@ -64,17 +64,19 @@ namespace rift
           {vertex, static_cast<std::uint32_t>(groups.size())});
         if (is_new)
           groups.emplace_back();
-        for (Bond &bond : groups[place->second].bonds)
+        VertexBonds &group = groups[place->second];
+        for (Bond &bond : group.bonds)
           {
-            count_energy(bond,
+            count_energy(group.energy,
+                         bond,
                          .5 * bond.traction,
-                         time_step * relative_velocity(groups[place->second],
-                                                       bond,
-                                                       state));
+                         time_step * relative_velocity(group, bond, state));
             bond.is_counted = true;
           }
-        const VertexBonds old = std::move(groups[place->second]);
-        groups[place->second] = make_group(state, vertex, heritage(old, here));
+        const VertexBonds old = std::move(group);
+        group             = make_group(state, vertex, heritage(old, here));
+        group.energy      = old.energy;
+        group.is_yielding = old.is_yielding;
       }
   }
 
@@ -88,30 +90,23 @@ namespace rift
           return split.parts[0];
       return node;
     };
-    return [&old, former, has_passed_on_energy = std::vector<const Bond *>()](
-             const NodeIndex first,
-             const NodeIndex second) mutable -> std::optional<Bond> {
+    return [&old, former](const NodeIndex first, const NodeIndex second)
+             -> std::optional<KnownBond> {
       const NodeIndex a = former(first), b = former(second);
-      for (const Bond &bond : old.bonds)
+      for (std::size_t i = 0; i < old.bonds.size(); ++i)
         {
-          const NodeIndex nodes[2] = {old.parts[bond.parts[0]],
-                                      old.parts[bond.parts[1]]};
+          KnownBond       child{old.bonds[i], old.histories[i]};
+          const NodeIndex nodes[2] = {old.parts[child.bond.parts[0]].node,
+                                      old.parts[child.bond.parts[1]].node};
           const bool      is_same  = nodes[0] == a && nodes[1] == b;
           if (!is_same && (nodes[0] != b || nodes[1] != a))
             continue;
-          Bond child    = bond;
-          child.is_tied = false;
+          child.bond.is_tied = false;
           if (!is_same)
             {
-              child.plane    = -1. * child.plane;
-              child.traction = -1. * child.traction;
+              child.history.plane = -1. * child.history.plane;
+              child.bond.traction = -1. * child.bond.traction;
             }
-          // The first of several children has the energy.
-          if (std::find(has_passed_on_energy.begin(),
-                        has_passed_on_energy.end(),
-                        &bond) != has_passed_on_energy.end())
-            child.energy = {};
-          has_passed_on_energy.push_back(&bond);
           return child;
         }
       return {};
@@ -125,12 +120,15 @@ namespace rift
   {
     VertexBonds group;
     group.vertex = vertex;
-    group.parts  = nodes_at(topology, vertex);
-    for (const NodeIndex node : group.parts)
-      group.masses.push_back(state.mass[node]);
+    for (const NodeIndex node : nodes_at(topology, vertex))
+      group.parts.push_back({node, 0, state.mass[node]});
     const auto part_of = [&group](const NodeIndex node) {
       return static_cast<std::uint32_t>(
-        std::find(group.parts.begin(), group.parts.end(), node) -
+        std::find_if(group.parts.begin(),
+                     group.parts.end(),
+                     [node](const VertexBonds::Part &part) {
+                       return part.node == node;
+                     }) -
         group.parts.begin());
     };
     using Pair = std::pair<std::uint32_t, std::uint32_t>;
@@ -145,14 +143,16 @@ namespace rift
     for (const auto &[pair, corners] : between)
       {
         const auto known =
-          before(group.parts[pair.first], group.parts[pair.second]);
-        Bond bond     = known.value_or(Bond());
-        bond.parts[0] = pair.first;
-        bond.parts[1] = pair.second;
-        bond.is_new   = !known;
-        set_geometry(group, bond, corners, state);
-        bond.strength = strengths.strength(vertex, bond.plane);
+          before(group.parts[pair.first].node, group.parts[pair.second].node);
+        auto [bond, history] = known.value_or(KnownBond());
+        bond.parts[0]        = pair.first;
+        bond.parts[1]        = pair.second;
+        bond.is_new          = !known;
+        set_geometry(group, bond, history, corners, state);
+        history.strength = strengths.strength(vertex, history.plane);
+        bond.envelope    = BondLaw::envelope(history.strength, history.memory);
         group.bonds.push_back(bond);
+        group.histories.push_back(history);
       }
     set_laplacian(group);
     update_normals(group, state);
@@ -162,6 +162,7 @@ namespace rift
   void
   Bonds::set_geometry(VertexBonds                  &group,
                       Bond                         &bond,
+                      BondHistory                  &history,
                       const std::vector<CutCorner> &corners,
                       const State                  &state)
   {
@@ -174,7 +175,7 @@ namespace rift
         const Vector3<double> vector =
           reference_area_vector(reference, face.cells[0], face.local_faces[0]);
         const double sign =
-          corner.minus == group.parts[bond.parts[0]] ? 1. / 3 : -1. / 3;
+          corner.minus == group.parts[bond.parts[0]].node ? 1. / 3 : -1. / 3;
         area_vector += sign * vector;
         area += norm(vector) / 3;
         const Vector3<double> &plane = planes.of_faces.at(corner.face);
@@ -184,15 +185,16 @@ namespace rift
       {
         // Faces that are folded back on each other may cancel.
         constexpr double least = 1e-3;
-        bond.plane             = norm(mean_plane) > least * area ?
+        history.plane          = norm(mean_plane) > least * area ?
                                    mean_plane :
                                    planes.of_faces.at(corners[0].face);
-        if (dot(bond.plane, area_vector) < 0)
-          bond.plane = -1. * bond.plane;
-        bond.plane = (1 / norm(bond.plane)) * bond.plane;
+        if (dot(history.plane, area_vector) < 0)
+          history.plane = -1. * history.plane;
+        history.plane = (1 / norm(history.plane)) * history.plane;
       }
-    bond.area = std::max(dot(area_vector, bond.plane), least_projection * area);
-    bond.fan_begin = static_cast<std::uint32_t>(group.fan.size());
+    bond.area =
+      std::max(dot(area_vector, history.plane), least_projection * area);
+    history.fan_begin = static_cast<std::uint32_t>(group.fan.size());
     for (const CutCorner &corner : corners)
       {
         const Face         &face   = topology.faces[corner.face];
@@ -202,10 +204,10 @@ namespace rift
         group.fan.push_back({place,
                              corner.corner,
                              weight * crack_faces.undeformed_frame(state, place)
-                                        .components(bond.plane)});
+                                        .components(history.plane)});
       }
-    bond.fan_end = static_cast<std::uint32_t>(group.fan.size());
-    bond.size    = std::sqrt(3 * area / static_cast<double>(corners.size()));
+    history.fan_end = static_cast<std::uint32_t>(group.fan.size());
+    history.size    = std::sqrt(3 * area / static_cast<double>(corners.size()));
   }
 
   void
@@ -214,19 +216,21 @@ namespace rift
     for (VertexBonds &group : groups)
       {
         bool any = false;
-        for (Bond &bond : group.bonds)
+        for (std::size_t i = 0; i < group.bonds.size(); ++i)
           {
-            if (bond.memory.damage < 1 || bond.is_released)
+            Bond              &bond    = group.bonds[i];
+            const BondHistory &history = group.histories[i];
+            if (history.memory.damage < 1 || bond.is_released)
               continue;
             bool are_released = true;
-            for (std::uint32_t f = bond.fan_begin; f < bond.fan_end; ++f)
+            for (std::uint32_t f = history.fan_begin; f < history.fan_end; ++f)
               are_released &=
                 topology
                   .face_states[crack_faces.faces[group.fan[f].face].index] ==
                 FaceState::released;
+            update_gap(group, bond, history, state);
             if (are_released &&
-                (dot(jump_of(group, bond, state), bond.normal) > 0 ||
-                 pressure_share(group, bond, state) == 0))
+                (bond.gap > 0 || bond.pressure_share == 0))
               {
                 bond.is_released = true;
                 bond.traction    = {{0, 0, 0}};
@@ -241,15 +245,52 @@ namespace rift
   void
   Bonds::update_normals(VertexBonds &group, const State &state) const
   {
-    for (Bond &bond : group.bonds)
+    for (std::size_t b = 0; b < group.bonds.size(); ++b)
       {
-        Vector3<double> sum = {{0, 0, 0}};
-        for (std::uint32_t i = bond.fan_begin; i < bond.fan_end; ++i)
+        const BondHistory &history = group.histories[b];
+        Vector3<double>    sum     = {{0, 0, 0}};
+        for (std::uint32_t i = history.fan_begin; i < history.fan_end; ++i)
           sum += crack_faces.current_frame(state, group.fan[i].face)
                    .vector(group.fan[i].plane);
-        bond.normal = (1 / norm(sum)) * sum;
+        group.bonds[b].normal = (1 / norm(sum)) * sum;
+        update_gap(group, group.bonds[b], history, state);
       }
   }
+
+  namespace
+  {
+    template <typename T>
+    void
+    prefetch(const std::vector<T> &list)
+    {
+      constexpr std::size_t line = 64;
+      const char           *data = reinterpret_cast<const char *>(list.data());
+      for (std::size_t i = 0; i < list.size() * sizeof(T); i += line)
+        __builtin_prefetch(data + i);
+    }
+
+    void
+    prefetch(const VertexBonds &group)
+    {
+      prefetch(group.parts);
+      prefetch(group.inverse);
+      prefetch(group.bonds);
+      if (group.is_yielding)
+        prefetch(group.histories);
+    }
+
+    void
+    prefetch(const VertexBonds &group, const State &state)
+    {
+      for (const VertexBonds::Part &part : group.parts)
+        {
+          __builtin_prefetch(&state.velocity[part.node]);
+          __builtin_prefetch(&state.force[part.node]);
+          if (group.is_yielding)
+            __builtin_prefetch(&state.displacement[part.node]);
+        }
+    }
+  } // namespace
 
   void
   Bonds::hold(State                        &state,
@@ -257,16 +298,23 @@ namespace rift
               const PrescribedAcceleration &prescribed)
   {
     failed_corners.clear();
-    for (VertexBonds &group : groups)
+    // The forces of the cells have pushed all of it out of the caches.
+    constexpr std::size_t ahead = 8;
+    for (std::size_t i = 0; i < groups.size(); ++i)
       {
+        if (i + 2 * ahead < groups.size())
+          prefetch(groups[i + 2 * ahead]);
+        if (i + ahead < groups.size())
+          prefetch(groups[i + ahead], state);
+        VertexBonds &group = groups[i];
         if (group.n_active == 0)
           continue;
         if (state.step % steps_of_normal == 0)
           update_normals(group, state);
         if (solver.hold(group, state, time_step, prescribed))
-          for (const Bond &bond : group.bonds)
-            if (bond.memory.damage >= 1)
-              for (std::uint32_t f = bond.fan_begin; f < bond.fan_end; ++f)
+          for (const BondHistory &history : group.histories)
+            if (history.memory.damage >= 1)
+              for (auto f = history.fan_begin; f < history.fan_end; ++f)
                 failed_corners.push_back(group.fan[f]);
       }
   }

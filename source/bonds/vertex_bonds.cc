@@ -6,7 +6,8 @@
 namespace rift
 {
   void
-  count_energy(Bond                  &bond,
+  count_energy(BondEnergy            &energy,
+               const Bond            &bond,
                const Vector3<double> &mean_traction,
                const Vector3<double> &motion)
   {
@@ -18,26 +19,31 @@ namespace rift
         const double shear = norm(t.shear);
         closing            = bond.area * t.normal * dot(bond.normal, motion);
         if (shear > 0)
-          friction = std::min(1.,
-                              -BondLaw::friction(bond.strength, bond.memory) *
-                                t.normal / shear) *
-                     std::max(0., bond.area * dot(t.shear, motion));
+          friction =
+            std::min(1.,
+                     -bond.envelope.friction_under_pressure * t.normal / shear) *
+            std::max(0., bond.area * dot(t.shear, motion));
       }
-    bond.energy.friction += friction;
-    bond.energy.closing += closing;
-    bond.energy.fracture += work - friction - closing;
+    energy.friction += friction;
+    energy.closing += closing;
+    energy.fracture += work - friction - closing;
   }
 
-  double
-  pressure_share(const VertexBonds &group, const Bond &bond, const State &state)
+  void
+  update_gap(const VertexBonds &group,
+             Bond              &bond,
+             const BondHistory &history,
+             const State       &state)
   {
-    if (bond.memory.damage < 1)
-      return 1;
-    const Vector3<double> jump = jump_of(group, bond, state);
-    const double slip = norm(jump - dot(jump, bond.normal) * bond.normal);
-    return std::clamp(1 - (slip / bond.size - slip_to_contact) / slip_of_fading,
-                      0.,
-                      1.);
+    const Vector3<double> jump    = jump_of(group, bond, state);
+    const double          opening = dot(jump, bond.normal);
+    bond.gap                      = std::max(0., opening);
+    bond.pressure_share           = 1;
+    if (history.memory.damage < 1)
+      return;
+    const double slip   = norm(jump - opening * bond.normal);
+    bond.pressure_share = std::clamp(
+      1 - (slip / history.size - slip_to_contact) / slip_of_fading, 0., 1.);
   }
 
   void
@@ -47,9 +53,8 @@ namespace rift
     for (const Bond &bond : group.bonds)
       group.n_active += bond.is_released ? 0 : 1;
     const std::size_t n = group.parts.size();
-    group.root.resize(n);
     for (std::uint32_t p = 0; p < n; ++p)
-      group.root[p] = p;
+      group.parts[p].root = p;
     for (bool changes = true; changes;)
       {
         changes = false;
@@ -57,8 +62,8 @@ namespace rift
           {
             if (bond.is_released)
               continue;
-            std::uint32_t &a = group.root[bond.parts[0]];
-            std::uint32_t &b = group.root[bond.parts[1]];
+            std::uint32_t &a = group.parts[bond.parts[0]].root;
+            std::uint32_t &b = group.parts[bond.parts[1]].root;
             changes |= a != b;
             a = b = std::min(a, b);
           }
@@ -66,16 +71,16 @@ namespace rift
     // Roots have a potential of zero: their rows are those of the unit matrix.
     std::vector<double> matrix(n * n, 0);
     for (std::uint32_t p = 0; p < n; ++p)
-      if (group.root[p] == p)
+      if (group.parts[p].root == p)
         matrix[p * n + p] = 1;
     for (const Bond &bond : group.bonds)
       for (unsigned int side = 0; side < 2 && !bond.is_released; ++side)
         {
           const std::uint32_t p = bond.parts[side], q = bond.parts[1 - side];
-          if (group.root[p] == p)
+          if (group.parts[p].root == p)
             continue;
           matrix[p * n + p] += bond.area;
-          if (group.root[q] != q)
+          if (group.parts[q].root != q)
             matrix[p * n + q] -= bond.area;
         }
     // Gauss and Jordan: positive definite, no pivots are needed.

@@ -83,6 +83,20 @@ namespace rift
               friction(strength, memory)};
     }
 
+    /** Whether a traction lies inside an envelope, for its shear part
+     * squared. */
+    static bool
+    bears(const Envelope &envelope,
+          const double    normal,
+          const double    shear_squared)
+    {
+      const double largest =
+        envelope.shear - normal * (normal > 0 ? envelope.friction_in_tension :
+                                                envelope.friction_under_pressure);
+      return normal <= std::max(0., envelope.tension) && largest >= 0 &&
+             shear_squared <= largest * largest;
+    }
+
     /** What is left of a traction: its normal part, and a factor of its shear
      * part. */
     struct Borne
@@ -107,10 +121,7 @@ namespace rift
     {
       if (normal > 0)
         {
-          const double largest =
-            envelope.shear - envelope.friction_in_tension * normal;
-          if (normal <= envelope.tension && largest >= 0 &&
-              shear_squared <= largest * largest)
+          if (bears(envelope, normal, shear_squared))
             return {normal, 1};
           if (envelope.tension <= 0)
             return {0, 0};

@@ -53,8 +53,8 @@ namespace rift
     /** Counts the energy of a bond and sets the excess of a new one, once its
      * traction is known. */
     static void
-    finish(const VertexBonds     &group,
-           Bond                  &bond,
+    finish(VertexBonds           &group,
+           std::size_t            place,
            const Vector3<double> &traction_before,
            const State           &state,
            double                 time_step);
@@ -84,18 +84,27 @@ namespace rift
 
       std::uint32_t parts[2];
 
-      /** Its place in the group, and whether it bears whatever is needed. */
+      /** Its place in the group, whether it bears whatever is needed, and whether
+       * it has been cut back. */
       std::uint32_t place;
-      bool          is_new;
+      bool          is_new, is_yielding;
     };
+
+    /** Makes the unknowns of a group, with the tractions of the last step. */
+    void
+    prepare(VertexBonds &group, const State &state, double time_step);
+
+    /** One of them but for its place. */
+    Unknown
+    unknown(const Bond &bond, double time_step) const;
 
     /** Finds the tractions, bond by bond and again until they agree. */
     void
     solve(const VertexBonds &group);
 
-    /** Makes the unknowns of that, with the tractions of the last step. */
-    void
-    prepare(const VertexBonds &group, const State &state, double time_step);
+    /** Once for each bond; whether the tractions agree with those before. */
+    bool
+    solve_turn(double tolerance);
 
     /** Changes the velocities of the nodes of a bond by a traction. */
     void
@@ -107,7 +116,7 @@ namespace rift
 
     /** Damages a bond by the motion of its nodes; whether it fails. */
     bool
-    soften(Bond &bond, double time_step) const;
+    soften(Bond &bond, BondHistory &history, double time_step) const;
 
     /** By part: velocity after the kick, force that keeps it with the others, and
      * potential of these forces; inverse mass by component. */
@@ -117,8 +126,7 @@ namespace rift
     std::vector<double> mass;
     std::vector<Row>    momentum;
 
-    /** By bond: the part of the pressure that it bears. */
-    std::vector<double>  share;
+    /** Of the bonds that bear something. */
     std::vector<Unknown> unknowns;
   };
 } // namespace rift

@@ -20,22 +20,25 @@ namespace rift
   /** A bond in a checkpoint. */
   struct BondRecord
   {
-    /** The first cell of its nodes, and their corners. */
+    /** The first cells of its nodes, and their corners. */
     GlobalCellIndex cells[2];
     std::uint32_t   corners[2];
 
-    /** Bond::is_tied and Bond::is_released. */
-    std::uint64_t is_tied, is_released;
+    /** Bond::is_tied and Bond::is_released, VertexBonds::is_yielding. */
+    std::uint64_t is_tied, is_released, is_yielding;
 
     /** See Bond. */
     Vector3<double> plane, normal, traction;
-    double          damage, slip_damage, excess, fracture, friction, closing;
+    double          damage, slip_damage, excess;
+
+    /** Of all bonds at the vertex, J. */
+    BondEnergy energy;
   };
 
   template <>
   struct HasPlainBytes<BondRecord> : std::true_type
   {
-    static_assert(sizeof(BondRecord) == 4 * 8 + 15 * sizeof(double));
+    static_assert(sizeof(BondRecord) == 5 * 8 + 15 * sizeof(double));
   };
 
   /** The bonds at all complete vertices. */
@@ -124,10 +127,17 @@ namespace rift
     }
 
   private:
-    /** The bond that there was between two nodes, from the first to the second;
-     * called once for each pair. */
+    /** A bond with its history. */
+    struct KnownBond
+    {
+      Bond        bond{};
+      BondHistory history{};
+    };
+
+    /** The bond that there was between two nodes, from the first to the
+     * second. */
     using Heritage =
-      std::function<std::optional<Bond>(NodeIndex first, NodeIndex second)>;
+      std::function<std::optional<KnownBond>(NodeIndex first, NodeIndex second)>;
 
     /** What the bonds of a vertex leave to those between the parts of its
      * nodes, which have split there. Both must outlive the result. */
@@ -142,6 +152,7 @@ namespace rift
     void
     set_geometry(VertexBonds                  &group,
                  Bond                         &bond,
+                 BondHistory                  &history,
                  const std::vector<CutCorner> &corners,
                  const State                  &state);
 

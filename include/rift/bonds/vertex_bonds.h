@@ -19,17 +19,46 @@ namespace rift
   /**
    * What holds two nodes together that a crack has parted at a vertex: all cut
    * faces between their cells are one bond, whose area and traction are those of
-   * its crack plane (doc/theory.md, eq. 40 to 44).
+   * its crack plane (doc/theory.md, eq. 40 to 44). What every step reads.
    */
   struct Bond
   {
     /** Its nodes among those of the vertex; the first has the smaller cell. */
     std::uint32_t parts[2];
 
-    /** Unit normal of the crack plane, from the first node to the second, in
-     * the undeformed body and now; projected area, m^2. */
-    Vector3<double> plane, normal;
-    double          area;
+    /** Unit normal of the crack plane, from the first node to the second. */
+    Vector3<double> normal;
+
+    /** Projected area, m^2. */
+    double area;
+
+    /** What the second node does to the first, per projected area, Pa. */
+    Vector3<double> traction;
+
+    /** What it bears at its present damage. */
+    BondLaw::Envelope envelope;
+
+    /** Opening, m, and the part of the pressure that it bears, both since the
+     * nodes have last moved against each other. */
+    double gap, pressure_share;
+
+    /** Whether it has yet to go through its first step, which sets its excess;
+     * whether its energy up to t_n is known already; whether its nodes have
+     * moved as one since the last step. */
+    bool is_new, is_counted, is_tied;
+
+    /** Whether its traction was cut back in the last step. */
+    bool is_yielding;
+
+    /** Whether contact has taken over all of its faces: it bears nothing. */
+    bool is_released;
+  };
+
+  /** What a bond remembers besides. */
+  struct BondHistory
+  {
+    /** Unit normal of the crack plane in the undeformed body. */
+    Vector3<double> plane;
 
     /** Root of the mean area of its faces, m. */
     double size;
@@ -37,20 +66,6 @@ namespace rift
     /** Strength of the plane, and what is left of it. */
     FaceStrength    strength;
     BondLaw::Memory memory;
-
-    /** What the second node does to the first, per projected area, Pa. */
-    Vector3<double> traction;
-
-    /** Up to t_n. */
-    BondEnergy energy;
-
-    /** Whether it has yet to go through its first step, which sets its excess;
-     * whether its energy up to t_n is known already; whether its nodes have
-     * moved as one since the last step. */
-    bool is_new, is_counted, is_tied;
-
-    /** Whether contact has taken over all of its faces: it bears nothing. */
-    bool is_released;
 
     /** Its faces: a range of VertexBonds::fan. */
     std::uint32_t fan_begin, fan_end;
@@ -74,13 +89,38 @@ namespace rift
     /** What is known of that. */
     Prescribed prescribed = Prescribed::unknown;
 
-    /** The nodes, by their smallest cells, and their masses, kg. */
-    std::vector<NodeIndex> parts;
-    std::vector<double>    masses;
+    /** Whether a bond was cut back in the last step. */
+    bool is_yielding = false;
+
+    /** A node here. */
+    struct Part
+    {
+      /** Which. */
+      NodeIndex node;
+
+      /** The first of those that bonds connect it to. */
+      std::uint32_t root;
+
+      /** kg */
+      double mass;
+    };
+
+    /** The nodes, by their smallest cells. */
+    std::vector<Part> parts;
+
+    /** The inverse of the Laplacian of the bonds with their areas as weights,
+     * 1/m^2, row by row; see set_laplacian(). */
+    std::vector<double> inverse;
 
     /** The bonds between them, and how many of them have not been released. */
     std::vector<Bond> bonds;
     std::size_t       n_active = 0;
+
+    /** By bond. */
+    std::vector<BondHistory> histories;
+
+    /** Of all bonds here up to t_n. */
+    BondEnergy energy;
 
     /** A face of a bond. */
     struct FanFace
@@ -95,20 +135,14 @@ namespace rift
 
     /** The faces of all bonds. */
     std::vector<FanFace> fan;
-
-    /** For each part the first of those that bonds connect it to; and for the
-     * others the inverse of the Laplacian of the bonds with their areas as
-     * weights, 1/m^2, row by row. */
-    std::vector<std::uint32_t> root;
-    std::vector<double>        inverse;
   };
 
   /** Displacement of the second node of a bond against the first, m. */
   inline Vector3<double>
   jump_of(const VertexBonds &group, const Bond &bond, const State &state)
   {
-    return state.displacement[group.parts[bond.parts[1]]].vector() -
-           state.displacement[group.parts[bond.parts[0]]].vector();
+    return state.displacement[group.parts[bond.parts[1]].node].vector() -
+           state.displacement[group.parts[bond.parts[0]].node].vector();
   }
 
   /** Velocity of the second node of a bond against the first, m/s. */
@@ -117,8 +151,8 @@ namespace rift
                     const Bond        &bond,
                     const State       &state)
   {
-    return state.velocity[group.parts[bond.parts[1]]].vector() -
-           state.velocity[group.parts[bond.parts[0]]].vector();
+    return state.velocity[group.parts[bond.parts[1]].node].vector() -
+           state.velocity[group.parts[bond.parts[0]].node].vector();
   }
 
   /**
@@ -127,7 +161,8 @@ namespace rift
    * @param motion of the second node against the first, m.
    */
   void
-  count_energy(Bond                  &bond,
+  count_energy(BondEnergy            &energy,
+               const Bond            &bond,
                const Vector3<double> &mean_traction,
                const Vector3<double> &motion);
 
@@ -135,14 +170,21 @@ namespace rift
    * contact, and slip over which it does so. */
   constexpr double slip_to_contact = .1, slip_of_fading = .05;
 
-  /** Part of the pressure that a bond bears: less than 1 once it has failed and
-   * slid so far that contact takes over. */
-  double
-  pressure_share(const VertexBonds &group,
-                 const Bond        &bond,
-                 const State       &state);
+  /**
+   * Looks how far the nodes of a bond have parted, and sets its gap and the part
+   * of the pressure that it bears: less than 1 once it has failed and slid so far
+   * that contact takes over.
+   */
+  void
+  update_gap(const VertexBonds &group,
+             Bond              &bond,
+             const BondHistory &history,
+             const State       &state);
 
-  /** Finds the parts that bonds connect, and the inverse of their Laplacian. */
+  /**
+   * Finds the parts that bonds connect, and the inverse of their Laplacian: in
+   * the rows of roots, whose potential is zero, it is the unit matrix.
+   */
   void
   set_laplacian(VertexBonds &group);
 } // namespace rift
