@@ -117,7 +117,9 @@ namespace rift
     }
 
     std::unique_ptr<AbsorbingBoundaries>
-    make_absorbing_boundaries(const Parameters &parameters, const Body &body)
+    make_absorbing_boundaries(const Parameters &parameters,
+                              const Body       &body,
+                              const Fracture   *fracture)
     {
       std::vector<AbsorbingBoundaries::Boundary> absorbing;
       for (const BoundaryParameters &boundary : parameters.boundaries)
@@ -133,7 +135,12 @@ namespace rift
           return impedance(body.stiffnesses[material],
                            body.discretization.densities[material],
                            normal);
-        });
+        },
+        fracture == nullptr ?
+          AbsorbingBoundaries::MovingAsOne() :
+          [fracture](const NodeIndex node) {
+            return fracture->nodes_moving_with(node);
+          });
     }
   } // namespace
 
@@ -171,7 +178,7 @@ namespace rift
       add(module->make(body.discretization, body.materials));
     add(make_damping(body));
     // Behind all others that add forces, which its own depend on.
-    add(make_absorbing_boundaries(parameters, body));
+    add(make_absorbing_boundaries(parameters, body, modules.fracture));
     add(make_prescribed_motion(parameters, body));
     modules.rigid_bodies = add(std::move(rigid_bodies));
     std::stable_sort(

@@ -140,15 +140,6 @@ namespace rift
                                  "true in one, or Cohesive model = none.");
           for (const MaterialParameters &material : materials)
             material.check_breakable();
-          if (parameters.cohesive.law == CohesiveParameters::bonds)
-            for (const BoundaryParameters &boundary : parameters.boundaries)
-              if (boundary.absorbs)
-                throw ParameterError(
-                  "Boundary " + boundary.name,
-                  "Absorbing",
-                  "the cohesive law \"bonds\" does not hold nodes on "
-                  "absorbing boundaries together. Choose another \"Cohesive "
-                  "law\" in subsection Fracture, or remove this entry.");
         }
       std::vector<std::string> names;
       for (const MaterialParameters &material : materials)

@@ -242,6 +242,33 @@ namespace rift
       }
   }
 
+  std::vector<NodeIndex>
+  Bonds::nodes_held_with(const NodeIndex node) const
+  {
+    const auto place = group_of_vertex.find(topology.node_vertices[node]);
+    if (place == group_of_vertex.end())
+      return {node};
+    const VertexBonds &group = groups[place->second];
+    if (std::any_of(group.bonds.begin(),
+                    group.bonds.end(),
+                    [](const Bond &bond) {
+                      return !bond.is_tied && !bond.is_new && !bond.is_released;
+                    }))
+      return {node};
+    const auto root_of = [&](const NodeIndex n) {
+      for (const VertexBonds::Part &part : group.parts)
+        if (part.node == n)
+          return part.root;
+      rift_check(false);
+      return invalid_index;
+    };
+    std::vector<NodeIndex> result;
+    for (const VertexBonds::Part &part : group.parts)
+      if (part.root == root_of(node))
+        result.push_back(part.node);
+    return result;
+  }
+
   void
   Bonds::update_normals(VertexBonds &group, const State &state) const
   {

@@ -9,10 +9,12 @@ namespace rift
   AbsorbingBoundaries::AbsorbingBoundaries(const Topology          &topology,
                                            const ReferenceCellData &reference,
                                            std::vector<Boundary> the_boundaries,
-                                           const Impedance      &impedance)
+                                           const Impedance      &impedance,
+                                           MovingAsOne moving_as_one)
     : ModuleWithWork(topology, "absorbing boundaries", "damping")
     , topology(topology)
     , boundaries(std::move(the_boundaries))
+    , moving_as_one(std::move(moving_as_one))
   {
     for (const Boundary &boundary : boundaries)
       for (const CellFace &face : boundary.surface)
@@ -72,23 +74,38 @@ namespace rift
   }
 
   void
-  AbsorbingBoundaries::add_to_parted(State                        &state,
-                                     const double                  time_step,
-                                     const std::vector<NodeSplit> &splits,
-                                     const PrescribedAcceleration &prescribed)
+  AbsorbingBoundaries::find_held()
+  {
+    held.clear();
+    for (const NodeIndex node : nodes)
+      if (auto others = moving_as_one(node); others.size() > 1)
+        held.push_back(std::move(others));
+  }
+
+  void
+  AbsorbingBoundaries::add_to_held(
+    State                                     &state,
+    const double                               time_step,
+    const std::vector<std::vector<NodeIndex>> &held,
+    const PrescribedAcceleration              &prescribed)
   {
     forces.assign(nodes.size(), {});
     is_done.assign(nodes.size(), false);
-    for (const NodeSplit &split : splits)
+    for (const std::vector<NodeIndex> &set : held)
       {
         std::vector<Place> places;
-        for (const NodeIndex node : split.parts)
+        bool               is_known = false;
+        for (const NodeIndex node : set)
           {
-            places.push_back(find(node));
-            if (places.back().position != invalid_index)
-              is_done[places.back().position] = true;
+            const Place place = find(node);
+            places.push_back(place);
+            if (place.position == invalid_index)
+              continue;
+            is_known |= is_done[place.position];
+            is_done[place.position] = true;
           }
-        add_to_nodes(places, state, time_step, prescribed);
+        if (!is_known)
+          add_to_nodes(places, state, time_step, prescribed);
       }
   }
 

@@ -89,12 +89,11 @@ namespace rift::test
     {
       BondEnergy sum;
       for (const VertexBonds &group : bonds.vertices())
-        for (const Bond &bond : group.bonds)
-          {
-            sum.fracture += bond.energy.fracture;
-            sum.friction += bond.energy.friction;
-            sum.closing += bond.energy.closing;
-          }
+        {
+          sum.fracture += group.energy.fracture;
+          sum.friction += group.energy.friction;
+          sum.closing += group.energy.closing;
+        }
       return sum;
     }
 

@@ -151,7 +151,7 @@ TEST(AbsorbingBoundaries, SurfacesThatMeetTakeTheWorkOfTheMeanVelocity)
                                  full_impedance);
   move_at_random(body.state);
   const auto before = body.state.force;
-  boundaries.add_to_parted(body.state, dt, {}, {});
+  boundaries.add_to_held(body.state, dt, {}, {});
   boundaries.add_to_others(body.state, dt, {});
   expect_exact_work(boundaries, body.discrete, sides, {}, before);
 }
@@ -172,7 +172,7 @@ TEST(AbsorbingBoundaries, PrescribedComponentsAreKnown)
     return (node + d) % 3 == 0 ? std::optional<double>(3e5 * d - 2e5) :
                                  std::nullopt;
   };
-  boundaries.add_to_parted(state, dt, {}, prescribed);
+  boundaries.add_to_held(state, dt, {}, prescribed);
   boundaries.add_to_others(state, dt, prescribed);
   for (NodeIndex i = 0; i < state.n_nodes(); ++i)
     for (unsigned int d = 0; d < dim; ++d)
@@ -204,7 +204,10 @@ TEST(AbsorbingBoundaries, CrackThatReachesThemDoesNotJump)
       state.force.assign(state.n_nodes(), NodalVector());
       ASSERT_FALSE(body.internal_force.add_to(state, body.activity));
       const auto before = state.force;
-      boundaries.add_to_parted(state, dt, change.splits, {});
+      std::vector<std::vector<NodeIndex>> held;
+      for (const NodeSplit &split : change.splits)
+        held.push_back(split.parts);
+      boundaries.add_to_held(state, dt, held, {});
       std::vector<NodalVector> of_dashpots = state.force;
       for (NodeIndex i = 0; i < state.n_nodes(); ++i)
         for (unsigned int d = 0; d < dim; ++d)

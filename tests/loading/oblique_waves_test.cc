@@ -212,7 +212,7 @@ namespace
       for (;;)
         {
           EXPECT_FALSE(body.force.add_to(state, body.activity));
-          boundary.add_to_parted(state, dt, {}, {});
+          boundary.add_to_held(state, dt, {}, {});
           boundary.add_to_others(state, dt, {});
           if (state.step == 0)
             {

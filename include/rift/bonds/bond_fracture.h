@@ -60,6 +60,12 @@ namespace rift
     std::optional<OpenFace>
     open_face(std::size_t index) const override;
 
+    std::vector<NodeIndex>
+    nodes_moving_with(const NodeIndex node) const override
+    {
+      return bonds.nodes_held_with(node);
+    }
+
     std::vector<FaceMeans>
     means(const State &state) const override;
 

@@ -105,6 +105,11 @@ namespace rift
       return failed_corners;
     }
 
+    /** The nodes that bonds hold together with a node, with itself, in a step
+     * in which no bond at its vertex gives way. */
+    std::vector<NodeIndex>
+    nodes_held_with(NodeIndex node) const;
+
     /** The bonds, vertex by vertex. */
     const std::vector<VertexBonds> &
     vertices() const

@@ -68,6 +68,15 @@ namespace rift
     virtual double
     share_of_stiffness() const = 0;
 
+    /** The nodes that move as one with another in this step, with itself, as far
+     * as is known once all have been cut that are cut in it; those that have just
+     * parted may be left out. */
+    virtual std::vector<NodeIndex>
+    nodes_moving_with(const NodeIndex node) const
+    {
+      return {node};
+    }
+
   protected:
     /** The body's. */
     const Topology &topology;

@@ -32,11 +32,17 @@ namespace rift
       std::function<Matrix3<double>(std::uint16_t          material,
                                     const Vector3<double> &normal)>;
 
-    /** Takes the impedance of the material of each face along its normal. */
+    /** The nodes that others hold to a node, with itself. */
+    using MovingAsOne = std::function<std::vector<NodeIndex>(NodeIndex)>;
+
+    /** Takes the impedance of the material of each face along its normal.
+     * @param moving_as_one empty if nothing holds nodes together but in the step
+     *   in which they part. */
     AbsorbingBoundaries(const Topology          &topology,
                         const ReferenceCellData &reference,
                         std::vector<Boundary>    boundaries,
-                        const Impedance         &impedance);
+                        const Impedance         &impedance,
+                        MovingAsOne              moving_as_one = {});
 
     Stage
     stage() const override
@@ -52,7 +58,8 @@ namespace rift
     follow_cut(const StepContext &step, const TopologyChange &change) override
     {
       Module::follow_cut(step, change);
-      splits = change.splits;
+      for (const NodeSplit &split : change.splits)
+        held.push_back(split.parts);
     }
 
     void
@@ -61,16 +68,18 @@ namespace rift
       update_nodes();
     }
 
-    /** Of nodes that have parted in this step, which are then held together. To
-     * be called after add_forces() of all others. */
+    /** Of nodes that are held together. To be called after add_forces() of all
+     * others. */
     void
     add_forces(StepContext &step) override
     {
-      add_to_parted(step.body.state,
-                    step.time_step,
-                    splits,
-                    step.prescribed_acceleration);
-      splits.clear();
+      if (moving_as_one)
+        find_held();
+      add_to_held(step.body.state,
+                  step.time_step,
+                  held,
+                  step.prescribed_acceleration);
+      held.clear();
     }
 
     /** Of all other nodes. */
@@ -89,19 +98,19 @@ namespace rift
     }
 
     /**
-     * Adds the forces of the dashpots of nodes that have parted in this step
-     * and stay together until its end: as if they had not. All forces but those
-     * that hold them together and those of constraints are known. First call in
-     * the step.
+     * Adds the forces of the dashpots of nodes that are held together in this
+     * step: as if they were one. All forces but those that hold them together
+     * and those of constraints are known. First call in the step.
      *
+     * @param held sets of such nodes, any number of times.
      * @param prescribed where the motion of nodes is prescribed, the
      *   acceleration of a component of one.
      */
     void
-    add_to_parted(State                        &state,
-                  double                        time_step,
-                  const std::vector<NodeSplit> &splits,
-                  const PrescribedAcceleration &prescribed);
+    add_to_held(State                                     &state,
+                double                                     time_step,
+                const std::vector<std::vector<NodeIndex>> &held,
+                const PrescribedAcceleration              &prescribed);
 
     /** The same of all other nodes, for which all forces but those of
      * constraints are known. */
@@ -132,6 +141,10 @@ namespace rift
     Place
     find(NodeIndex node) const;
 
+    /** Finds those of its nodes that others hold together. */
+    void
+    find_held();
+
     /** Adds the forces of the dashpots of nodes that move as one. */
     void
     add_to_nodes(const std::vector<Place>     &places,
@@ -153,8 +166,10 @@ namespace rift
     std::vector<Vector3<double>> forces;
     std::vector<bool>            is_done;
 
-    /** Nodes that have parted in this step. */
-    std::vector<NodeSplit> splits;
+    MovingAsOne moving_as_one;
+
+    /** Sets of nodes that are held together in this step. */
+    std::vector<std::vector<NodeIndex>> held;
   };
 } // namespace rift
 
