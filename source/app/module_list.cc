@@ -136,11 +136,10 @@ namespace rift
                            body.discretization.densities[material],
                            normal);
         },
-        fracture == nullptr ?
-          AbsorbingBoundaries::MovingAsOne() :
-          [fracture](const NodeIndex node) {
-            return fracture->nodes_moving_with(node);
-          });
+        fracture == nullptr ? AbsorbingBoundaries::MovingAsOne() :
+                              [fracture](const NodeIndex node) {
+                                return fracture->nodes_moving_with(node);
+                              });
     }
   } // namespace
 

@@ -208,9 +208,9 @@ namespace rift
           const Vector3<double> jump = jump_of(group, bond, state);
           mean.opening               = dot(jump, bond.normal);
           mean.slip                  = norm(jump - mean.opening * bond.normal);
-          const auto t               = BondLaw::split(bond.traction, bond.normal);
-          mean.normal                = t.normal;
-          mean.shear                 = norm(t.shear);
+          const auto t = BondLaw::split(bond.traction, bond.normal);
+          mean.normal  = t.normal;
+          mean.shear   = norm(t.shear);
           for (auto f = history.fan_begin; f < history.fan_end; ++f)
             corners[group.fan[f].face][group.fan[f].corner] = mean;
         }

@@ -21,7 +21,8 @@ namespace rift
             for (unsigned int side = 0; side < 2; ++side)
               {
                 const StarCell first =
-                  cells_at_node(topology, group.parts[bond.parts[side]].node)[0];
+                  cells_at_node(topology,
+                                group.parts[bond.parts[side]].node)[0];
                 record.cells[side]   = topology.cell_global_indices[first.cell];
                 record.corners[side] = first.corner;
               }
@@ -71,15 +72,15 @@ namespace rift
               const NodeIndex second) -> std::optional<KnownBond> {
             const BondRecord &record = *by_nodes.at({first, second});
             KnownBond         known;
-            BondLaw::Memory  &memory  = known.history.memory;
-            known.history.plane       = record.plane;
-            known.bond.traction       = record.traction;
-            memory.damage             = record.damage;
-            memory.slip_damage        = record.slip_damage;
-            memory.excess             = record.excess;
-            memory.softening          = solver.law.softening_at(record.damage);
-            known.bond.is_tied     = record.is_tied != 0;
-            known.bond.is_released = record.is_released != 0;
+            BondLaw::Memory  &memory = known.history.memory;
+            known.history.plane      = record.plane;
+            known.bond.traction      = record.traction;
+            memory.damage            = record.damage;
+            memory.slip_damage       = record.slip_damage;
+            memory.excess            = record.excess;
+            memory.softening         = solver.law.softening_at(record.damage);
+            known.bond.is_tied       = record.is_tied != 0;
+            known.bond.is_released   = record.is_released != 0;
             return known;
           }));
         VertexBonds &group = groups.back();

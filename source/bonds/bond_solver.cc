@@ -40,9 +40,8 @@ namespace rift
       // Nodes that have moved as one differ by rounding.
       constexpr double rounding = 1e-9;
       const double     normal   = dot(traction, bond.normal);
-      if (normal < 0 &&
-          (bond.pressure_share < 1 ||
-           bond.gap * bond.gap > rounding * rounding * bond.area))
+      if (normal < 0 && (bond.pressure_share < 1 ||
+                         bond.gap * bond.gap > rounding * rounding * bond.area))
         return false;
       return BondLaw::bears(bond.envelope,
                             normal,
@@ -94,8 +93,8 @@ namespace rift
     for (std::size_t p = 0; p < n; ++p)
       {
         const auto &[node, root, mass] = group.parts[p];
-        velocity[p] =
-          state.velocity[node].row() + (time_step / mass) * state.force[node].row();
+        velocity[p]                    = state.velocity[node].row() +
+                      (time_step / mass) * state.force[node].row();
       }
     if (group.prescribed == Prescribed::no)
       return false;
@@ -132,7 +131,7 @@ namespace rift
     for (std::size_t p = 0; p < n; ++p)
       {
         const VertexBonds::Part &part = group.parts[p];
-        bond_force[p] = (part.mass / time_step) *
+        bond_force[p]                 = (part.mass / time_step) *
                         (momentum[part.root] / mass[part.root] - velocity[p]);
       }
     potential.assign(n, Row{});
@@ -223,9 +222,10 @@ namespace rift
       }
     // Bonds that have failed and stay open bear nothing.
     const auto stays_open = [&](const Unknown &u) {
-      const Bond &bond = group.bonds[u.place];
+      const Bond &bond  = group.bonds[u.place];
       const Row   speed = velocity[u.parts[1]] - velocity[u.parts[0]];
-      return bond.envelope.tension <= 0 && !bond.is_new && norm(bond.traction) == 0 &&
+      return bond.envelope.tension <= 0 && !bond.is_new &&
+             norm(bond.traction) == 0 &&
              bond.gap + time_step * product(speed, u.normal) > 0;
     };
     unknowns.erase(std::remove_if(unknowns.begin(), unknowns.end(), stays_open),
@@ -262,8 +262,8 @@ namespace rift
     bool do_agree = true;
     for (Unknown &u : unknowns)
       {
-        Row trial = u.traction + u.stiffness * (velocity[u.parts[1]] -
-                                                velocity[u.parts[0]]);
+        Row trial = u.traction +
+                    u.stiffness * (velocity[u.parts[1]] - velocity[u.parts[0]]);
         u.is_yielding = false;
         if (!u.is_new)
           {
@@ -271,19 +271,19 @@ namespace rift
             const Row    shear  = trial - normal * u.normal;
             const double push_of =
               normal < 0 ? normal * u.pressure_share : normal;
-            const BondLaw::Borne borne =
-              BondLaw::bear(u.envelope,
-                            push_of,
-                            product(shear, shear),
-                            push_of + u.closing);
+            const BondLaw::Borne borne = BondLaw::bear(u.envelope,
+                                                       push_of,
+                                                       product(shear, shear),
+                                                       push_of + u.closing);
             u.is_yielding = borne.normal != normal || borne.shear_factor != 1;
-            trial         = borne.normal * u.normal + borne.shear_factor * shear;
+            trial = borne.normal * u.normal + borne.shear_factor * shear;
           }
         const Row difference = trial - u.traction;
         push(u, difference);
         u.traction = trial;
-        do_agree &= product(difference, difference) <=
-                    tolerance * tolerance * product(trial, trial) + u.negligible;
+        do_agree &=
+          product(difference, difference) <=
+          tolerance * tolerance * product(trial, trial) + u.negligible;
       }
     return do_agree;
   }
@@ -302,7 +302,9 @@ namespace rift
   }
 
   bool
-  BondSolver::soften(Bond &bond, BondHistory &history, const double time_step) const
+  BondSolver::soften(Bond        &bond,
+                     BondHistory &history,
+                     const double time_step) const
   {
     const Vector3<double> motion =
       time_step * vector(velocity[bond.parts[1]] - velocity[bond.parts[0]]);

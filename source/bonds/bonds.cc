@@ -74,9 +74,9 @@ namespace rift
             bond.is_counted = true;
           }
         const VertexBonds old = std::move(group);
-        group             = make_group(state, vertex, heritage(old, here));
-        group.energy      = old.energy;
-        group.is_yielding = old.is_yielding;
+        group                 = make_group(state, vertex, heritage(old, here));
+        group.energy          = old.energy;
+        group.is_yielding     = old.is_yielding;
       }
   }
 
@@ -90,8 +90,8 @@ namespace rift
           return split.parts[0];
       return node;
     };
-    return [&old, former](const NodeIndex first, const NodeIndex second)
-             -> std::optional<KnownBond> {
+    return [&old, former](const NodeIndex first,
+                          const NodeIndex second) -> std::optional<KnownBond> {
       const NodeIndex a = former(first), b = former(second);
       for (std::size_t i = 0; i < old.bonds.size(); ++i)
         {
@@ -124,11 +124,10 @@ namespace rift
       group.parts.push_back({node, 0, state.mass[node]});
     const auto part_of = [&group](const NodeIndex node) {
       return static_cast<std::uint32_t>(
-        std::find_if(group.parts.begin(),
-                     group.parts.end(),
-                     [node](const VertexBonds::Part &part) {
-                       return part.node == node;
-                     }) -
+        std::find_if(
+          group.parts.begin(),
+          group.parts.end(),
+          [node](const VertexBonds::Part &part) { return part.node == node; }) -
         group.parts.begin());
     };
     using Pair = std::pair<std::uint32_t, std::uint32_t>;
@@ -229,8 +228,7 @@ namespace rift
                   .face_states[crack_faces.faces[group.fan[f].face].index] ==
                 FaceState::released;
             update_gap(group, bond, history, state);
-            if (are_released &&
-                (bond.gap > 0 || bond.pressure_share == 0))
+            if (are_released && (bond.gap > 0 || bond.pressure_share == 0))
               {
                 bond.is_released = true;
                 bond.traction    = {{0, 0, 0}};

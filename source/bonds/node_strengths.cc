@@ -8,18 +8,24 @@
 
 namespace rift
 {
-  FaceStrength
-  NodeStrengths::weakest_across(
-    const std::vector<MaterialParameters> &materials,
-    const std::vector<std::uint16_t>      &members,
-    const Vector3<double>                 &normal)
+  namespace
   {
-    FaceStrength result = strength_across(materials[members[0]], normal);
-    for (std::size_t i = 1; i < members.size(); ++i)
-      result =
-        weaker_of(result, strength_across(materials[members[i]], normal));
-    return result;
-  }
+    /** The smaller values of all materials across a plane. */
+    StrengthAcross
+    weakest_across(const std::vector<MaterialParameters> &materials,
+                   const std::vector<std::uint16_t>      &members)
+    {
+      std::vector<PlaneStrength> strengths;
+      for (const std::uint16_t m : members)
+        strengths.emplace_back(materials[m]);
+      return [strengths](const Vector3<double> &normal) {
+        FaceStrength result = strengths[0].across(normal);
+        for (std::size_t i = 1; i < strengths.size(); ++i)
+          result = weaker_of(result, strengths[i].across(normal));
+        return result;
+      };
+    }
+  } // namespace
 
   NodeStrengths::NodeStrengths(const Topology                        &topology,
                                const std::vector<MaterialParameters> &materials)
@@ -48,10 +54,15 @@ namespace rift
         group_of_vertex[vertex] = place->second;
         if (!is_new)
           continue;
-        Group group{members, weakest_across(materials, members, any), false};
+        const StrengthAcross across = weakest_across(materials, members);
+        Group                group{members, across(any), {}, nullptr};
         for (const std::uint16_t m : members)
           {
-            group.is_directional |= materials[m].has_directional_strength();
+            if (materials[m].has_directional_strength() && !group.planes)
+              {
+                group.strength_across = across;
+                group.planes = std::make_shared<DirectionalPlanes>(across);
+              }
             group.strength.tensile_strength =
               std::min(group.strength.tensile_strength,
                        materials[m].tensile_strength.smallest());
@@ -76,9 +87,7 @@ namespace rift
                           const Vector3<double> &normal) const
   {
     const Group &group = groups[group_of_vertex[vertex]];
-    return group.is_directional ?
-             weakest_across(materials, group.materials, normal) :
-             group.strength;
+    return group.planes ? group.strength_across(normal) : group.strength;
   }
 
   double
@@ -87,9 +96,10 @@ namespace rift
   {
     const Group &group  = groups[group_of_vertex[vertex]];
     const double demand = rift::largest_demand(stress, group.strength);
-    return group.is_directional && demand >= 1 ?
-             weakest_planes(vertex, stress).demand :
-             demand;
+    if (!group.planes || demand < 1)
+      return demand;
+    const double bound = group.planes->bound_of_demand(stress);
+    return bound < 1 ? bound : group.planes->weakest(stress).demand;
   }
 
   WeakestPlanes
@@ -97,11 +107,8 @@ namespace rift
                                 const SymmetricTensor<double> &stress) const
   {
     const Group &group = groups[group_of_vertex[vertex]];
-    if (!group.is_directional)
-      return rift::weakest_planes(stress, group.strength);
-    return rift::weakest_planes(stress, [&](const Vector3<double> &normal) {
-      return strength(vertex, normal);
-    });
+    return group.planes ? group.planes->weakest(stress) :
+                          rift::weakest_planes(stress, group.strength);
   }
 
   StressBounds

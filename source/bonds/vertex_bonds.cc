@@ -19,10 +19,10 @@ namespace rift
         const double shear = norm(t.shear);
         closing            = bond.area * t.normal * dot(bond.normal, motion);
         if (shear > 0)
-          friction =
-            std::min(1.,
-                     -bond.envelope.friction_under_pressure * t.normal / shear) *
-            std::max(0., bond.area * dot(t.shear, motion));
+          friction = std::min(1.,
+                              -bond.envelope.friction_under_pressure *
+                                t.normal / shear) *
+                     std::max(0., bond.area * dot(t.shear, motion));
       }
     energy.friction += friction;
     energy.closing += closing;
@@ -41,9 +41,11 @@ namespace rift
     bond.pressure_share           = 1;
     if (history.memory.damage < 1)
       return;
-    const double slip   = norm(jump - opening * bond.normal);
-    bond.pressure_share = std::clamp(
-      1 - (slip / history.size - slip_to_contact) / slip_of_fading, 0., 1.);
+    const double slip = norm(jump - opening * bond.normal);
+    bond.pressure_share =
+      std::clamp(1 - (slip / history.size - slip_to_contact) / slip_of_fading,
+                 0.,
+                 1.);
   }
 
   void

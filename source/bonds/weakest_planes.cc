@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace rift
 {
@@ -149,38 +150,100 @@ namespace rift
     return {demands.shear, true, {a + b, a - b}};
   }
 
-  WeakestPlanes
-  weakest_planes(const SymmetricTensor<double> &stress,
-                 const StrengthAcross          &strength_across)
+  DirectionalPlanes::DirectionalPlanes(StrengthAcross strength_across)
+    : strength_across(std::move(strength_across))
+    , directions(spread_directions())
   {
-    static const auto directions = spread_directions();
-    const auto        demand     = [&](const Vector3<double> &normal) {
+    for (const Vector3<double> &direction : directions)
+      {
+        const FaceStrength strength = this->strength_across(direction);
+        for (unsigned int d = 0; d < dim; ++d)
+          normals[d].push_back(direction[d]);
+        inverse_tension.push_back(1 / strength.tensile_strength);
+        inverse_cohesion.push_back(1 / strength.cohesion);
+        friction.push_back(strength.tan_friction_angle);
+      }
+  }
+
+  void
+  DirectionalPlanes::find_demands(const SymmetricTensor<double> &stress,
+                                  const double                   margin,
+                                  std::vector<double>           &demands) const
+  {
+    demands.resize(directions.size());
+    // As demand_on(), in a form that is vectorised.
+    for (std::size_t i = 0; i < directions.size(); ++i)
+      {
+        const double n[3] = {normals[0][i], normals[1][i], normals[2][i]};
+        double       t[3];
+        for (unsigned int a = 0; a < dim; ++a)
+          t[a] = stress[voigt[a][0]] * n[0] + stress[voigt[a][1]] * n[1] +
+                 stress[voigt[a][2]] * n[2];
+        const double normal = t[0] * n[0] + t[1] * n[1] + t[2] * n[2];
+        const double shear_squared =
+          t[0] * t[0] + t[1] * t[1] + t[2] * t[2] - normal * normal;
+        const double shear =
+          margin + std::sqrt(shear_squared > 0 ? shear_squared : 0);
+        const double along      = margin + normal;
+        const double of_tension = along * inverse_tension[i];
+        const double of_shear =
+          (shear + along * friction[i]) * inverse_cohesion[i];
+        demands[i] = of_tension > of_shear ? of_tension : of_shear;
+      }
+  }
+
+  double
+  DirectionalPlanes::bound_of_demand(
+    const SymmetricTensor<double> &stress) const
+  {
+    constexpr double      share  = .03;
+    const Vector3<double> s      = principal_stresses(stress);
+    const double          margin = share * (s[0] - s[2]);
+    std::vector<double>   demands;
+    find_demands(stress, margin, demands);
+    return *std::max_element(demands.begin(), demands.end());
+  }
+
+  WeakestPlanes
+  DirectionalPlanes::weakest(const SymmetricTensor<double> &stress) const
+  {
+    std::vector<double> demands;
+    find_demands(stress, 0, demands);
+    std::vector<std::size_t> order(demands.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(),
+                     order.end(),
+                     [&demands](const std::size_t a, const std::size_t b) {
+                       return demands[a] > demands[b];
+                     });
+    const auto demand = [&](const Vector3<double> &normal) {
       return demand_on(traction_on(stress, normal), strength_across(normal));
     };
-    std::vector<std::pair<double, Vector3<double>>> starts;
-    for (const Vector3<double> &direction : directions)
-      starts.push_back({demand(direction), direction});
-    // There may be several maxima, each with a start near to it.
-    constexpr std::ptrdiff_t n_starts = 16;
-    std::partial_sort(
-      starts.begin(),
-      starts.begin() + n_starts,
-      starts.end(),
-      [](const auto &a, const auto &b) { return a.first > b.first; });
-    double          best = -std::numeric_limits<double>::max();
-    Vector3<double> normal{};
-    for (auto start = starts.begin(); start != starts.begin() + n_starts;
-         ++start)
+    // There may be several maxima. A start far below the best leads no higher,
+    // and one beside another leads where that does.
+    constexpr double             far_below = .7, cosine_of_beside = .94;
+    double                       best = -std::numeric_limits<double>::max();
+    Vector3<double>              normal{};
+    std::vector<Vector3<double>> starts;
+    for (const std::size_t i : order)
       {
-        // A start far below the best one leads no higher.
-        constexpr double far_below = .7;
-        if (start->first < far_below * best)
+        const Vector3<double> &start = directions[i];
+        if (demands[i] < far_below * best)
           break;
-        climb(demand, start->first, start->second);
-        if (start->first > best)
+        if (std::any_of(starts.begin(),
+                        starts.end(),
+                        [&start](const Vector3<double> &other) {
+                          return std::abs(dot(start, other)) > cosine_of_beside;
+                        }))
+          continue;
+        starts.push_back(start);
+        double          reached = demands[i];
+        Vector3<double> at      = start;
+        climb(demand, reached, at);
+        if (reached > best)
           {
-            best   = start->first;
-            normal = start->second;
+            best   = reached;
+            normal = at;
           }
       }
     const PlaneTraction traction = traction_on(stress, normal);

@@ -31,19 +31,28 @@ namespace rift
     }
   } // namespace
 
-  FaceStrength
-  strength_across(const MaterialParameters &material,
-                  const Vector3<double>    &normal)
+  PlaneStrength::PlaneStrength(const MaterialParameters &material)
+    : axes(material_axes(material.axis_1, material.axis_2))
+    , tensile_strength(material.tensile_strength)
+    , cohesion(material.cohesion)
+    , fracture_energy_1(material.fracture_energy_1)
+    , fracture_energy_2(material.fracture_energy_2)
+    , tan_friction_angle(std::tan(material.friction_angle))
+    , residual_friction(std::tan(
+        material.residual_friction_angle.value_or(material.friction_angle)))
   {
-    const Vector3<double> n =
-      material_axes(material.axis_1, material.axis_2) * normal;
-    return {material.tensile_strength.at(n),
-            material.cohesion.at(n),
-            std::tan(material.friction_angle),
-            std::tan(material.residual_friction_angle.value_or(
-              material.friction_angle)),
-            material.fracture_energy_1.at(n),
-            material.fracture_energy_2.at(n)};
+  }
+
+  FaceStrength
+  PlaneStrength::across(const Vector3<double> &normal) const
+  {
+    const Vector3<double> n = axes * normal;
+    return {tensile_strength.at(n),
+            cohesion.at(n),
+            tan_friction_angle,
+            residual_friction,
+            fracture_energy_1.at(n),
+            fracture_energy_2.at(n)};
   }
 
   double

@@ -10,7 +10,7 @@ namespace rift
                                            const ReferenceCellData &reference,
                                            std::vector<Boundary> the_boundaries,
                                            const Impedance      &impedance,
-                                           MovingAsOne moving_as_one)
+                                           MovingAsOne           moving_as_one)
     : ModuleWithWork(topology, "absorbing boundaries", "damping")
     , topology(topology)
     , boundaries(std::move(the_boundaries))

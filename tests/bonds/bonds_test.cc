@@ -384,10 +384,9 @@ TEST(Bonds, ChildrenInheritWhatABondRemembers)
         // From the first node to the second, also where these have changed
         // places.
         EXPECT_EQ(dot(bond.traction, plane), tensions.at(group.vertex));
-        EXPECT_EQ(plane[1] > 0,
-                  cells_are_behind(body,
-                                   group.parts[bond.parts[1]].node,
-                                   edge));
+        EXPECT_EQ(
+          plane[1] > 0,
+          cells_are_behind(body, group.parts[bond.parts[1]].node, edge));
       }
   EXPECT_GT(n_children, n_before);
   EXPECT_GT(n_turned, 0u);

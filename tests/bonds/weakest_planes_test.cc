@@ -125,25 +125,35 @@ TEST(WeakestPlanes, StressesBelowTheStrengthAreConvex)
 }
 
 // Bedding that is turned: half the strength across one direction.
+namespace
+{
+  StrengthAcross
+  bedded_rock(const Vector &axis)
+  {
+    return [axis](const Vector &m) {
+      const double along = dot(m, axis) * dot(m, axis);
+      FaceStrength s     = granite;
+      s.tensile_strength *= 1 - .5 * along;
+      s.cohesion *= 1 - .5 * along;
+      return s;
+    };
+  }
+} // namespace
+
 TEST(WeakestPlanes, OfBeddedRockAreTheLargestOfManyDirections)
 {
   std::mt19937                     random(3);
   std::normal_distribution<double> value;
   const auto                       planes = directions(40000);
-  for (unsigned int i = 0; i < 40; ++i)
+  for (unsigned int i = 0; i < 200; ++i)
     {
       Vector axis = {{value(random), value(random), value(random)}};
       axis        = (1 / norm(axis)) * axis;
-      const StrengthAcross across = [axis](const Vector &m) {
-        const double along = dot(m, axis) * dot(m, axis);
-        FaceStrength s     = granite;
-        s.tensile_strength *= 1 - .5 * along;
-        s.cohesion *= 1 - .5 * along;
-        return s;
-      };
-      const auto   stress = random_stress(random);
-      const auto   result = weakest_planes(stress, across);
-      const double best   = brute_force(stress, across, planes);
+      const StrengthAcross    across = bedded_rock(axis);
+      const auto              stress = random_stress(random);
+      const DirectionalPlanes bedded(across);
+      const auto              result = bedded.weakest(stress);
+      const double            best   = brute_force(stress, across, planes);
       if (best < .1)
         continue;
       ASSERT_FALSE(result.normals.empty());
@@ -155,4 +165,34 @@ TEST(WeakestPlanes, OfBeddedRockAreTheLargestOfManyDirections)
                     result.demand,
                     1e-6 * result.demand);
     }
+}
+
+TEST(WeakestPlanes, BoundOfBeddedRockIsNearTheLargestDemand)
+{
+  std::mt19937                     random(4);
+  std::normal_distribution<double> value;
+  const auto                       planes = directions(4000);
+  double                           sum    = 0;
+  unsigned int                     n      = 0;
+  for (unsigned int i = 0; i < 500; ++i)
+    {
+      Vector axis = {{value(random), value(random), value(random)}};
+      axis        = (1 / norm(axis)) * axis;
+      const StrengthAcross across = bedded_rock(axis);
+      auto                 stress = random_stress(random);
+      // Under pressure, too.
+      const double pressure = (i % 5) * 50e6;
+      for (unsigned int d = 0; d < dim; ++d)
+        stress[voigt[d][d]] -= pressure;
+      const double best  = brute_force(stress, across, planes);
+      const double bound = DirectionalPlanes(across).bound_of_demand(stress);
+      EXPECT_GE(bound, best) << i;
+      if (best > .5)
+        {
+          sum += bound / best;
+          ++n;
+        }
+    }
+  ASSERT_GT(n, 50u);
+  EXPECT_LT(sum / n, 1.15);
 }

@@ -203,7 +203,7 @@ TEST(AbsorbingBoundaries, CrackThatReachesThemDoesNotJump)
         }
       state.force.assign(state.n_nodes(), NodalVector());
       ASSERT_FALSE(body.internal_force.add_to(state, body.activity));
-      const auto before = state.force;
+      const auto                          before = state.force;
       std::vector<std::vector<NodeIndex>> held;
       for (const NodeSplit &split : change.splits)
         held.push_back(split.parts);

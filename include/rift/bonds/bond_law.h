@@ -91,8 +91,9 @@ namespace rift
           const double    shear_squared)
     {
       const double largest =
-        envelope.shear - normal * (normal > 0 ? envelope.friction_in_tension :
-                                                envelope.friction_under_pressure);
+        envelope.shear - normal * (normal > 0 ?
+                                     envelope.friction_in_tension :
+                                     envelope.friction_under_pressure);
       return normal <= std::max(0., envelope.tension) && largest >= 0 &&
              shear_squared <= largest * largest;
     }

@@ -141,8 +141,8 @@ namespace rift
 
     /** The bond that there was between two nodes, from the first to the
      * second. */
-    using Heritage =
-      std::function<std::optional<KnownBond>(NodeIndex first, NodeIndex second)>;
+    using Heritage = std::function<std::optional<KnownBond>(NodeIndex first,
+                                                            NodeIndex second)>;
 
     /** What the bonds of a vertex leave to those between the parts of its
      * nodes, which have split there. Both must outlive the result. */

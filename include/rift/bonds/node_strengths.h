@@ -7,6 +7,7 @@
 #include <rift/material/stress_bound.h>
 #include <rift/mesh/topology.h>
 
+#include <memory>
 #include <vector>
 
 namespace rift
@@ -66,13 +67,12 @@ namespace rift
       /** Where it does not depend on the direction; otherwise the smallest
        * tensile strength and cohesion of all directions. */
       FaceStrength strength;
-      bool         is_directional;
-    };
 
-    static FaceStrength
-    weakest_across(const std::vector<MaterialParameters> &materials,
-                   const std::vector<std::uint16_t>      &members,
-                   const Vector3<double>                 &normal);
+      /** The strength of all planes, and their search, where it does depend on
+       * the direction. */
+      StrengthAcross                           strength_across;
+      std::shared_ptr<const DirectionalPlanes> planes;
+    };
 
     const Topology                       &topology;
     const std::vector<MaterialParameters> materials;

@@ -63,11 +63,39 @@ namespace rift
   weakest_planes(const SymmetricTensor<double> &stress,
                  const FaceStrength            &strength);
 
-  /** The same where the strength depends on the normal: the best of some
-   * hundred directions, improved in small steps. */
-  WeakestPlanes
-  weakest_planes(const SymmetricTensor<double> &stress,
-                 const StrengthAcross          &strength_across);
+  /** The weakest planes where the strength depends on the normal: those of some
+   * hundred directions show where to search in small steps. */
+  class DirectionalPlanes
+  {
+  public:
+    /** Computes the strength of these directions. */
+    explicit DirectionalPlanes(StrengthAcross strength_across);
+
+    /** An upper bound of the demand of all planes, from that of these directions:
+     * between them the stresses of planes change by less than 3 % of the largest
+     * difference of the principal stresses. */
+    double
+    bound_of_demand(const SymmetricTensor<double> &stress) const;
+
+    /** The plane of the largest demand of all. */
+    WeakestPlanes
+    weakest(const SymmetricTensor<double> &stress) const;
+
+  private:
+    /** The demand of each direction, if the normal and the shear traction are
+     * larger by a margin, Pa. */
+    void
+    find_demands(const SymmetricTensor<double> &stress,
+                 double                         margin,
+                 std::vector<double>           &demands) const;
+
+    const StrengthAcross               strength_across;
+    const std::vector<Vector3<double>> directions;
+
+    /** By component of the normal and direction; by direction: one over the
+     * tensile strength and over the cohesion, Pa, and the friction. */
+    std::vector<double> normals[3], inverse_tension, inverse_cohesion, friction;
+  };
 } // namespace rift
 
 #endif

@@ -13,14 +13,31 @@
 
 namespace rift
 {
-  /**
-   * Strength of a plane inside a material, without scatter.
-   *
-   * @param normal of unit length, in the frame of the mesh.
-   */
-  FaceStrength
+  /** Strength of the planes inside a material, without scatter. */
+  class PlaneStrength
+  {
+  public:
+    /** Takes the strengths and the axes of the material. */
+    explicit PlaneStrength(const MaterialParameters &material);
+
+    /** @param normal of unit length, in the frame of the mesh. */
+    FaceStrength
+    across(const Vector3<double> &normal) const;
+
+  private:
+    Matrix3<double>  axes;
+    DirectionalValue tensile_strength, cohesion, fracture_energy_1,
+      fracture_energy_2;
+    double tan_friction_angle, residual_friction;
+  };
+
+  /** The same of one plane. */
+  inline FaceStrength
   strength_across(const MaterialParameters &material,
-                  const Vector3<double>    &normal);
+                  const Vector3<double>    &normal)
+  {
+    return PlaneStrength(material).across(normal);
+  }
 
   /**
    * A random factor of mean 1 with the distribution of Weibull, greater than
