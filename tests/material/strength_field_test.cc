@@ -132,7 +132,8 @@ TEST(StrengthField, CorrelationFallsWithTheDistance)
 {
   constexpr unsigned int n        = 4000;
   const double           diagonal = 1 / std::sqrt(3.);
-  for (const auto &[distance, expected] : {std::make_pair(.5, .784),
+  for (const auto &[distance, expected] : {std::make_pair(0., 1.),
+                                           std::make_pair(.5, .784),
                                            std::make_pair(1., std::exp(-1.)),
                                            std::make_pair(1.5, .0915),
                                            std::make_pair(3.06, 0.)})
