@@ -32,7 +32,8 @@ namespace rift
       if (parameters.cohesive.law == CohesiveParameters::bonds)
         return std::make_unique<BondFracture>(body.discretization,
                                               solid.internal_force(),
-                                              body.materials);
+                                              body.materials,
+                                              parameters.cohesive.seed);
       return std::make_unique<ElementFracture>(body.discretization,
                                                solid.internal_force(),
                                                body.materials,

@@ -45,14 +45,19 @@ namespace rift
         {
           add(material.inert_entries());
           has_scatter = has_scatter || material.weibull_modulus != 0;
-          if (parameters.cohesive.law == CohesiveParameters::bonds)
-            result.push_back({"Material " + material.name,
-                              {"Weibull modulus"},
+          const std::string section = "Material " + material.name;
+          if (parameters.cohesive.law != CohesiveParameters::bonds)
+            result.push_back({section,
+                              {"Correlation length"},
                               {{"Fracture", "Cohesive law"}},
-                              "with the cohesive law \"bonds\", whose "
-                              "strengths do not scatter from face to face"});
-          seed.causes.emplace_back("Material " + material.name,
-                                   "Weibull modulus");
+                              "with a cohesive law other than \"bonds\", where "
+                              "strengths scatter from face to face"});
+          else if (material.weibull_modulus == 0)
+            result.push_back({section,
+                              {"Correlation length"},
+                              {{section, "Weibull modulus"}},
+                              "without a Weibull modulus"});
+          seed.causes.emplace_back(section, "Weibull modulus");
         }
       if (!has_scatter &&
           parameters.cohesive.model != CohesiveParameters::Model::none)
@@ -106,6 +111,20 @@ namespace rift
                          "No material of this scene is rigid."));
     }
 
+    void
+    check_bonds(const Parameters &parameters)
+    {
+      for (const MaterialParameters &material : parameters.materials)
+        if (material.breakable && material.weibull_modulus > 0 &&
+            material.correlation_length == 0)
+          throw ParameterError("Material " + material.name,
+                               "Correlation length",
+                               "with a Weibull modulus, the cohesive law "
+                               "\"bonds\" needs the distance over which "
+                               "strengths are alike. Set it, in metres, or "
+                               "remove \"Weibull modulus\".");
+    }
+
     // What can only be seen by looking at more than one subsection.
     void
     check_together(const Parameters &parameters, const ParameterFile &scene)
@@ -140,6 +159,8 @@ namespace rift
                                  "true in one, or Cohesive model = none.");
           for (const MaterialParameters &material : materials)
             material.check_breakable();
+          if (parameters.cohesive.law == CohesiveParameters::bonds)
+            check_bonds(parameters);
         }
       std::vector<std::string> names;
       for (const MaterialParameters &material : materials)

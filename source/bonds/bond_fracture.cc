@@ -9,11 +9,12 @@ namespace rift
 {
   BondFracture::BondFracture(Discretization &body,
                              InternalForce  &internal_force,
-                             const std::vector<MaterialParameters> &materials)
+                             const std::vector<MaterialParameters> &materials,
+                             const unsigned int                     seed)
     : Fracture(body.topology)
     , body(body)
     , internal_force(internal_force)
-    , strengths(body.topology, materials)
+    , strengths(body.topology, body.state.reference, materials, seed)
     , bonds(body.topology, body.reference, strengths, planes)
     , insertion(body.topology,
                 body.reference,
@@ -21,6 +22,14 @@ namespace rift
                 strengths,
                 planes)
   {
+  }
+
+  std::vector<std::string>
+  BondFracture::warnings(const Discretization &body,
+                         double,
+                         std::uint64_t) const
+  {
+    return strengths.warnings(body.state.reference, body.communicator);
   }
 
   void

@@ -1,6 +1,7 @@
 #include <rift/cohesive/face_strengths.h>
 #include <rift/discretization/ghost_values.h>
 #include <rift/material/elasticity.h>
+#include <rift/material/strength_field.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,29 +9,6 @@
 
 namespace rift
 {
-  namespace
-  {
-    bool
-    any_scatters(const std::vector<MaterialParameters> &materials)
-    {
-      return std::any_of(materials.begin(),
-                         materials.end(),
-                         [](const MaterialParameters &material) {
-                           return material.weibull_modulus > 0;
-                         });
-    }
-
-    /** Scrambles the bits of a number (the finaliser of splitmix64). */
-    std::uint64_t
-    scramble(std::uint64_t x)
-    {
-      x += 0x9e3779b97f4a7c15u;
-      x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-      x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-      return x ^ (x >> 31);
-    }
-  } // namespace
-
   PlaneStrength::PlaneStrength(const MaterialParameters &material)
     : axes(material_axes(material.axis_1, material.axis_2))
     , tensile_strength(material.tensile_strength)
@@ -53,16 +31,6 @@ namespace rift
             residual_friction,
             fracture_energy_1.at(n),
             fracture_energy_2.at(n)};
-  }
-
-  double
-  weibull_factor(const std::uint64_t bits, const double modulus)
-  {
-    // In the open interval (0, 1), which rounding must not leave.
-    const double u =
-      std::min((static_cast<double>(bits >> 11) + .5) / (1ull << 53),
-               1 - std::numeric_limits<double>::epsilon() / 2);
-    return std::pow(-std::log(u), 1 / modulus) / std::tgamma(1 + 1 / modulus);
   }
 
   FaceStrengths::FaceStrengths(const Topology                        &topology,
@@ -111,7 +79,7 @@ namespace rift
       4 * std::uint64_t{topology.cell_global_indices[f.cells[0]]} +
       f.local_faces[0];
     const std::uint64_t bits = scramble(scramble(seed) ^ name);
-    return weibull_factor(bits, modulus);
+    return weibull_factor(unit_number(bits), modulus);
   }
 
   bool
@@ -141,13 +109,8 @@ namespace rift
   FaceStrength
   FaceStrengths::strength(const FaceIndex face) const
   {
-    FaceStrength result = weaker_side(face);
-    if (!factors.empty())
-      {
-        result.tensile_strength *= factors[face];
-        result.cohesion *= factors[face];
-      }
-    return result;
+    const FaceStrength result = weaker_side(face);
+    return factors.empty() ? result : result.scattered(factors[face]);
   }
 
   FaceStrength
@@ -226,10 +189,6 @@ namespace rift
           smallest[cell] = std::min(smallest[cell], factors[face]);
     // Not all faces of a ghost are here.
     copy_to_ghosts(communicator, topology, smallest);
-
-    std::vector<Simd> result(topology.n_batches());
-    for (CellIndex cell = 0; cell < smallest.size(); ++cell)
-      result[cell / batch_size][cell % batch_size] = smallest[cell];
-    return result;
+    return by_batches(smallest);
   }
 } // namespace rift

@@ -21,6 +21,9 @@ namespace rift
     /** Of anything that breaks, J/m^2; glass has 4 to 10. */
     constexpr double smallest_fracture_energy = 1;
 
+    /** Less than any grain, m. */
+    constexpr double smallest_correlation_length = 1e-6;
+
     /** P-waves in solids, m/s. */
     constexpr double slowest_wave = 100, fastest_wave = 15000;
 
@@ -311,6 +314,11 @@ namespace rift
         refuse("Weibull modulus",
                "this must be 0, for no scatter, or at least 1. Rocks have 2 "
                "to 50.");
+      const double length = material.correlation_length;
+      if (!(length == 0 || length >= smallest_correlation_length))
+        refuse("Correlation length",
+               "this must be " + short_text(smallest_correlation_length) +
+                 " m or more.");
     }
   } // namespace
 

@@ -248,8 +248,15 @@ namespace rift
                      "Weibull modulus",
                      defaults.weibull_modulus,
                      "Modulus of the scatter of tensile strength and cohesion "
-                     "from face to face; the larger, the less scatter. 0: no "
+                     "from face to face or, with the cohesive law bonds, from "
+                     "place to place; the larger, the less scatter. 0: no "
                      "scatter. Units: 1.");
+      declare_number(prm,
+                     "Correlation length",
+                     defaults.correlation_length,
+                     "Distance over which the scatter of strength loses its "
+                     "memory: its correlation falls to 1/e. Must be set with a "
+                     "Weibull modulus and the cohesive law bonds. Units: m.");
     }
   } // namespace
 
@@ -329,9 +336,10 @@ namespace rift
     result.residual_friction_angle =
       read_residual_friction(prm.get("Residual friction angle"),
                              section_of(name));
-    result.fracture_energy_1 = directional("Fracture energy I");
-    result.fracture_energy_2 = directional("Fracture energy II");
-    result.weibull_modulus   = prm.get_double("Weibull modulus");
+    result.fracture_energy_1  = directional("Fracture energy I");
+    result.fracture_energy_2  = directional("Fracture energy II");
+    result.weibull_modulus    = prm.get_double("Weibull modulus");
+    result.correlation_length = prm.get_double("Correlation length");
     prm.leave_subsection();
     return result;
   }
@@ -352,7 +360,8 @@ namespace rift
                                                "Residual friction angle",
                                                "Fracture energy I",
                                                "Fracture energy II",
-                                               "Weibull modulus"};
+                                               "Weibull modulus",
+                                               "Correlation length"};
     const std::string              reason   = on_material(elasticity);
     auto                           others   = entries_of_other_laws(elasticity);
     // Strengths may need axes where elasticity does not.

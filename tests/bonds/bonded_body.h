@@ -29,7 +29,7 @@ namespace rift::test
       , state(discrete.state)
       , internal_force(topology, discrete.reference, laws_of(materials))
       , activity(topology)
-      , strengths(topology, materials)
+      , strengths(topology, state.reference, materials, 1)
       , bonds(topology, discrete.reference, strengths, planes)
     {
       activity.wake_all(topology);

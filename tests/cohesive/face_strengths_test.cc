@@ -194,19 +194,6 @@ TEST(FaceStrengths, ScatteredBoundsAreThoseOfTheWeakestFaces)
     }
 }
 
-TEST(WeibullFactor, IsGreaterThanZero)
-{
-  constexpr std::uint64_t all = ~std::uint64_t(0);
-  for (const double modulus : {1., 5., 20.})
-    {
-      for (const std::uint64_t bits : {all, all - (1 << 11), all / 2})
-        EXPECT_GT(weibull_factor(bits, modulus), 0);
-      EXPECT_GT(weibull_factor(0, modulus), 1);
-      EXPECT_TRUE(std::isfinite(weibull_factor(0, modulus)));
-      EXPECT_LT(weibull_factor(all, modulus), weibull_factor(all / 2, modulus));
-    }
-}
-
 TEST(StrengthAcross, IsThatOfEachAxis)
 {
   const MaterialParameters material = directional_granite();

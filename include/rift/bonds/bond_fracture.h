@@ -21,10 +21,17 @@ namespace rift
      * @param materials by material index.
      * @param internal_force finds the cells near their strength; must outlive
      *   this object.
+     * @param seed of the scatter of strength.
      */
     BondFracture(Discretization                        &body,
                  InternalForce                         &internal_force,
-                 const std::vector<MaterialParameters> &materials);
+                 const std::vector<MaterialParameters> &materials,
+                 unsigned int                           seed);
+
+    std::vector<std::string>
+    warnings(const Discretization &body,
+             double                time_step,
+             std::uint64_t         n_steps) const override;
 
     void
     prepare(Discretization &body, const StepBound &bound) override;

@@ -40,15 +40,6 @@ namespace rift
   }
 
   /**
-   * A random factor of mean 1 with the distribution of Weibull, greater than
-   * zero (doc/theory.md, section 2).
-   *
-   * @param bits random ones.
-   */
-  double
-  weibull_factor(std::uint64_t bits, double modulus);
-
-  /**
    * The strength of every interior face, by its normal in the undeformed body.
    * Between two materials the weaker value of each property counts; where one
    * of them is not breakable, the face never breaks.

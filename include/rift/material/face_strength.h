@@ -31,6 +31,16 @@ namespace rift
               fracture_energy_2};
     }
 
+    /** With both strengths times a random factor. */
+    FaceStrength
+    scattered(const double factor) const
+    {
+      FaceStrength result = *this;
+      result.tensile_strength *= factor;
+      result.cohesion *= factor;
+      return result;
+    }
+
     /** Part of the strength of eq. (11) that a plane bears, for its normal
      * stress (tension positive) and its shear stress, Pa. */
     double

@@ -6,6 +6,7 @@
 #include <rift/material/directional_value.h>
 #include <rift/material/microcracks.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
@@ -95,6 +96,9 @@ namespace rift
     /** Weibull modulus of the scatter of both strengths; 0: no scatter. */
     double weibull_modulus = 0;
 
+    /** Of the StrengthField, with the law of bonds, m. */
+    double correlation_length = 0;
+
     /** Declares the entries of subsection `Material NAME`. */
     static void
     declare(dealii::ParameterHandler &prm, const std::string &name);
@@ -128,7 +132,7 @@ namespace rift
      * strengths or fracture energies, strengths that are not zero and outside
      * 1e-7..1 of the modulus of elasticity, a friction angle outside [0, 80]
      * degrees, a residual one outside [0, friction angle], a Weibull modulus
-     * between 0 and 1, and a table that does not exist.
+     * between 0 and 1, a negative or tiny correlation length, and a table that does not exist.
      */
     void
     check() const;
@@ -148,6 +152,17 @@ namespace rift
     std::vector<InertEntries>
     inert_entries() const;
   };
+
+  /** Whether the strengths of a material scatter. */
+  inline bool
+  any_scatters(const std::vector<MaterialParameters> &materials)
+  {
+    return std::any_of(materials.begin(),
+                       materials.end(),
+                       [](const MaterialParameters &material) {
+                         return material.weibull_modulus > 0;
+                       });
+  }
 
   /** The density of each material. */
   inline std::vector<double>

@@ -68,9 +68,19 @@ namespace rift
     std::vector<std::optional<StressBound>> materials;
 
     /** Factor of both strengths for each cell, by batches: the smallest one of
-     * its faces. Empty where nothing scatters. */
+     * its faces or vertices. Empty where nothing scatters. */
     std::vector<Simd> factors;
   };
+
+  /** The values of cell slots as StressBounds::factors has them. */
+  inline std::vector<Simd>
+  by_batches(const std::vector<double> &values)
+  {
+    std::vector<Simd> result(values.size() / batch_size);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      result[i / batch_size][i % batch_size] = values[i];
+    return result;
+  }
 } // namespace rift
 
 #endif
