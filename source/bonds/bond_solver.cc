@@ -27,11 +27,9 @@ namespace rift
       return p[0] + p[1] + p[2];
     }
 
-    /** Two tractions agree if they differ by less than this share of
-     * themselves, in the first step of a bond by less, or of the tensile
-     * strength. */
-    constexpr double tolerance = 1e-2, tolerance_at_start = 1e-6,
-                     negligible = 1e-3;
+    /** Two tractions agree if they differ by less than this share of them or of
+     * the tensile strength; of themselves alone in the first step of a bond. */
+    constexpr double tolerance = 1e-2, tolerance_at_start = 1e-6;
 
     /** Whether a bond bears a traction; an open one bears no pressure. */
     bool
@@ -75,7 +73,6 @@ namespace rift
             state.force[group.parts[bond.parts[1]].node][d] -= force;
           }
         finish(group, unknown.place, traction_before, state, time_step);
-        bond.is_tied = false;
         any_fails |= soften(bond, group.histories[unknown.place], time_step);
       }
     return any_fails;
@@ -213,10 +210,11 @@ namespace rift
           continue;
         const BondHistory &history = group.histories[i];
         update_gap(group, bond, history, state);
+        bond.is_tied = false;
         Unknown u = unknown(bond, time_step);
         u.place   = i;
         u.negligible =
-          std::pow(negligible * history.strength.tensile_strength, 2);
+          std::pow(tolerance * history.strength.tensile_strength, 2);
         push(u, u.traction);
         unknowns.push_back(u);
       }
@@ -257,9 +255,10 @@ namespace rift
   }
 
   bool
-  BondSolver::solve_turn(const double tolerance)
+  BondSolver::solve_turn(const bool is_start)
   {
-    bool do_agree = true;
+    const double share    = is_start ? tolerance_at_start : tolerance;
+    bool         do_agree = true;
     for (Unknown &u : unknowns)
       {
         Row trial = u.traction +
@@ -283,7 +282,7 @@ namespace rift
         u.traction = trial;
         do_agree &=
           product(difference, difference) <=
-          tolerance * tolerance * product(trial, trial) + u.negligible;
+          share * share * product(trial, trial) + (is_start ? 0 : u.negligible);
       }
     return do_agree;
   }
@@ -297,7 +296,7 @@ namespace rift
                                      unknowns.end(),
                                      [](const Unknown &u) { return u.is_new; });
     for (unsigned int turn = 0; turn < most_turns; ++turn)
-      if (solve_turn(any_new ? tolerance_at_start : tolerance))
+      if (solve_turn(any_new))
         return;
   }
 

@@ -102,9 +102,10 @@ namespace rift
     void
     solve(const VertexBonds &group);
 
-    /** Once for each bond; whether the tractions agree with those before. */
+    /** Once for each bond; whether the tractions agree with those before, more
+     * closely if some bond starts. */
     bool
-    solve_turn(double tolerance);
+    solve_turn(bool is_start);
 
     /** Changes the velocities of the nodes of a bond by a traction. */
     void
