@@ -69,11 +69,10 @@ namespace rift::test
   using ExtrinsicLaw = MohrCoulomb<StraightBranch>;
 
   inline CohesiveParameters
-  parameters_of(const CohesiveModel model, const double least_share = 1)
+  parameters_of(const CohesiveModel model)
   {
     CohesiveParameters parameters;
-    parameters.model       = model;
-    parameters.least_share = least_share;
+    parameters.model = model;
     return parameters;
   }
 
@@ -82,31 +81,6 @@ namespace rift::test
   {
     parameters.model = CohesiveModel::extrinsic;
     return parameters;
-  }
-
-  /**
-   * Clears what compressed faces have still to draw from the body, for tests
-   * that hold nodes in place: there, repaying it would lower the pressure.
-   *
-   * @return how much it was, J.
-   */
-  inline double
-  forgive_debts(CohesiveForce &force)
-  {
-    const FaceQuadrature quadrature;
-    auto                &elements = elements_of<ExtrinsicLaw>(force);
-    double               sum      = 0;
-    for (std::size_t i = 0; i < force.faces().size(); ++i)
-      for (unsigned int q = 0; q < n_face_points; ++q)
-        {
-          const double area =
-            force.faces().batches[i / batch_size].area[i % batch_size];
-          auto point = elements.point(i, q);
-          sum += quadrature.weight[q] * area * point.debt;
-          point.debt = 0;
-          elements.set_point(i, q, point);
-        }
-    return sum;
   }
 
   /** A body with the modules that break it, as a simulation has them. */
@@ -134,8 +108,7 @@ namespace rift::test
                   discrete.reference,
                   internal_force,
                   strengths,
-                  bounds,
-                  parameters)
+                  bounds)
       , force(topology,
               discrete.reference,
               strengths,

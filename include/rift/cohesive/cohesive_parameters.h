@@ -42,12 +42,6 @@ namespace rift
      */
     double stiffness_factor = 0.25;
 
-    /**
-     * Extrinsic: share of its own strength that a face must bear to break where
-     * the strength is reached on some other plane. 1: breaks by itself alone.
-     */
-    double least_share = 1;
-
     /** Of the intrinsic model. */
     Penalty penalty = {10, true};
 
@@ -62,8 +56,8 @@ namespace rift
     static CohesiveParameters
     parse(dealii::ParameterHandler &prm);
 
-    /** Throws ParameterError for a law that does not serve the model, a
-     * stiffness that is too small and a share that is none. */
+    /** Throws ParameterError for a law that does not serve the model and a
+     * stiffness that is too small. */
     void
     check() const;
 
