@@ -32,7 +32,7 @@ namespace rift
     static constexpr const char *bonds = "bonds";
 
     /** `bonds`, or the name of one of the CohesiveLaws. */
-    std::string law = "Mohr-Coulomb";
+    std::string law = "faces";
 
     /**
      * Room that the time step leaves for cohesive faces: the square of the

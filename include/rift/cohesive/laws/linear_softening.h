@@ -111,8 +111,9 @@ namespace rift
     static constexpr const char   *name  = "linear";
     static constexpr CohesiveModel model = CohesiveModel::extrinsic;
     static constexpr const char   *summary =
-      "opening and sliding make one effective jump, with which the traction "
-      "softens along a line (eq. 14d of doc/theory.md)";
+      "cracks follow faces as well, and opening and sliding make one effective "
+      "jump, with which the traction softens along a line (eq. 14d of "
+      "doc/theory.md)";
 
     /** The constants of one face. `stiffness` is the slope of the elastic branch, Pa/m. */
     static Constants<double>

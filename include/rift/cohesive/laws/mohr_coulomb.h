@@ -45,10 +45,11 @@ namespace rift
     using Constants = MohrCoulombConstants<Number>;
 
     /** The value of the entry Cohesive law, and what it does. */
-    static constexpr const char *name = "Mohr-Coulomb";
+    static constexpr const char *name = "faces";
     static constexpr const char *summary =
-      "opening and sliding have an envelope each, which softens with a common "
-      "damage along the curve of Munjiza (eq. 14 of doc/theory.md)";
+      "cracks follow the faces of cells, and the opening and sliding of a face "
+      "have a Mohr-Coulomb envelope each, which softens with a common damage "
+      "along the curve of Munjiza (eq. 14 of doc/theory.md)";
 
     /** The cohesive model that it serves. */
     static constexpr CohesiveModel model = Branch::model;
