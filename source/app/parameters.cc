@@ -45,7 +45,7 @@ namespace rift
         {
           add(material.inert_entries());
           has_scatter = has_scatter || material.weibull_modulus != 0;
-          if (parameters.cohesive.law == CohesiveParameters::bonds)
+          if (parameters.cohesive.chosen_law() == CohesiveParameters::bonds)
             result.push_back({"Material " + material.name,
                               {"Weibull modulus"},
                               {{"Fracture", "Cohesive law"}},
@@ -140,7 +140,7 @@ namespace rift
                                  "true in one, or Cohesive model = none.");
           for (const MaterialParameters &material : materials)
             material.check_breakable();
-          if (parameters.cohesive.law == CohesiveParameters::bonds)
+          if (parameters.cohesive.chosen_law() == CohesiveParameters::bonds)
             for (const BoundaryParameters &boundary : parameters.boundaries)
               if (boundary.absorbs)
                 throw ParameterError(

@@ -16,7 +16,8 @@ namespace rift
       std::unique_ptr<CohesiveElements> elements;
       const auto                        try_law = [&](auto *law) {
         using Law = std::remove_pointer_t<decltype(law)>;
-        if (Law::name == parameters.law && Law::model == parameters.model)
+        if (Law::name == parameters.chosen_law() &&
+            Law::model == parameters.model)
           elements = std::make_unique<CohesiveElementsOf<Law>>(arguments...);
       };
       (try_law(static_cast<Laws *>(nullptr)), ...);
@@ -38,7 +39,7 @@ namespace rift
                                   strengths,
                                   stiffness_of);
     if (!elements)
-      throw std::logic_error("no cohesive law \"" + parameters.law +
+      throw std::logic_error("no cohesive law \"" + parameters.chosen_law() +
                              "\" for this model");
     return elements;
   }

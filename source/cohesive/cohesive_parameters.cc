@@ -61,13 +61,24 @@ namespace rift
              law.models.end();
     }
 
+    /** The law that serves a model where the scene says nothing. */
+    std::string
+    first_law(const CohesiveModel model)
+    {
+      return std::find_if(
+               laws.begin(),
+               laws.end(),
+               [model](const NamedLaw &law) { return serves(law, model); })
+        ->name;
+    }
+
     /** "A|B|C": what "Cohesive law" can be. */
     std::string
     law_names()
     {
-      std::string text;
+      std::string text = CohesiveParameters::automatic;
       for (const NamedLaw &law : laws)
-        text += (text.empty() ? "" : "|") + law.name;
+        text += "|" + law.name;
       return text;
     }
 
@@ -75,7 +86,10 @@ namespace rift
     description_of_laws()
     {
       std::string text =
-        "How the traction of a cohesive element follows its jump.";
+        "What cracks follow, and how the traction between their sides follows "
+        "the jump. automatic: " +
+        first_law(CohesiveModel::extrinsic) + " in the extrinsic model, " +
+        first_law(CohesiveModel::intrinsic) + " in the intrinsic one.";
       for (const NamedLaw &law : laws)
         {
           text += " " + law.name + " (";
@@ -111,6 +125,12 @@ namespace rift
   to_string(const CohesiveParameters::Model model)
   {
     return model_names[static_cast<std::size_t>(model)];
+  }
+
+  std::string
+  CohesiveParameters::chosen_law() const
+  {
+    return law == automatic && model != Model::none ? first_law(model) : law;
   }
 
   void
@@ -211,7 +231,7 @@ namespace rift
   void
   CohesiveParameters::check_law() const
   {
-    if (model == Model::none)
+    if (model == Model::none || law == automatic)
       return;
     std::string others;
     for (const NamedLaw &other : laws)
@@ -245,7 +265,7 @@ namespace rift
                                          model == Model::none ?
                                            "without a cohesive model" :
                                            "with this cohesive model"}};
-    if (model == Model::extrinsic && law == bonds)
+    if (model == Model::extrinsic && chosen_law() == bonds)
       result.push_back({section,
                         {"Stiffness factor"},
                         {{section, "Cohesive law"}},

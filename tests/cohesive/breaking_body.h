@@ -73,13 +73,7 @@ namespace rift::test
   {
     CohesiveParameters parameters;
     parameters.model = model;
-    return parameters;
-  }
-
-  inline CohesiveParameters
-  extrinsic(CohesiveParameters parameters)
-  {
-    parameters.model = CohesiveModel::extrinsic;
+    parameters.law   = "faces";
     return parameters;
   }
 
@@ -92,8 +86,9 @@ namespace rift::test
       const AnyBody                  &body,
       std::vector<MaterialParameters> the_materials    = {granite()},
       const double                    stiffness_factor = .25,
-      const CohesiveParameters       &parameters       = {},
-      const Communicator             &communicator     = Communicator())
+      const CohesiveParameters       &parameters =
+        parameters_of(CohesiveModel::extrinsic),
+      const Communicator &communicator = Communicator())
       : communicator(communicator)
       , materials(std::move(the_materials))
       , discrete(discretize(body, densities_of(materials)))
@@ -112,7 +107,7 @@ namespace rift::test
       , force(topology,
               discrete.reference,
               strengths,
-              extrinsic(parameters),
+              parameters,
               stable_penalty_stiffness(topology,
                                        discrete.reference,
                                        stiffnesses_of(materials),

@@ -263,8 +263,8 @@ TEST(Insertion, AgreesWithBruteForce)
         cell.material = random() % 2;
       auto other            = weak;
       other.weibull_modulus = sample % 2 ? 5 : 0;
-      CohesiveParameters parameters;
-      parameters.seed = sample;
+      auto parameters       = parameters_of(CohesiveModel::extrinsic);
+      parameters.seed       = sample;
       BreakingBody body(shape, {granite(), other}, .25, parameters);
       // Some faces are cut already.
       for (const FaceIndex face : body.all_faces())

@@ -132,8 +132,8 @@ namespace rift::test
         const unsigned int seed,
         const std::string &law)
   {
-    CohesiveParameters parameters;
-    parameters.law = law;
+    CohesiveParameters parameters = parameters_of(CohesiveModel::extrinsic);
+    parameters.law                = law;
     std::mt19937 random(seed);
     BreakingBody body(shape, {granite()}, .25, parameters);
     State       &state = body.state;

@@ -31,8 +31,15 @@ namespace rift
     /** The law that is not of faces but of planes through nodes. */
     static constexpr const char *bonds = "bonds";
 
-    /** `bonds`, or the name of one of the CohesiveLaws. */
-    std::string law = "faces";
+    /** Bonds in the extrinsic model, faces in the intrinsic one. */
+    static constexpr const char *automatic = "automatic";
+
+    /** `automatic`, `bonds`, or the name of one of the CohesiveLaws. */
+    std::string law = automatic;
+
+    /** The law that acts: never `automatic` where something breaks. */
+    std::string
+    chosen_law() const;
 
     /**
      * Room that the time step leaves for cohesive faces: the square of the
