@@ -25,6 +25,15 @@ namespace rift
     }
   } // namespace
 
+  std::string
+  CohesiveParameters::chosen_law() const
+  {
+    if (law != automatic || model == Model::none)
+      return law;
+    return model == Model::extrinsic ? bonds :
+                                       MohrCoulomb<ParabolicBranch>::name;
+  }
+
   std::unique_ptr<CohesiveElements>
   make_cohesive_elements(const CohesiveParameters &parameters,
                          CohesiveFaces            &faces,

@@ -61,15 +61,13 @@ namespace rift
              law.models.end();
     }
 
-    /** The law that serves a model where the scene says nothing. */
+    /** The law of a model where the scene chooses none. */
     std::string
-    first_law(const CohesiveModel model)
+    automatic_law(const CohesiveModel model)
     {
-      return std::find_if(
-               laws.begin(),
-               laws.end(),
-               [model](const NamedLaw &law) { return serves(law, model); })
-        ->name;
+      CohesiveParameters parameters;
+      parameters.model = model;
+      return parameters.chosen_law();
     }
 
     /** "A|B|C": what "Cohesive law" can be. */
@@ -88,8 +86,8 @@ namespace rift
       std::string text =
         "What cracks follow, and how the traction between their sides follows "
         "the jump. automatic: " +
-        first_law(CohesiveModel::extrinsic) + " in the extrinsic model, " +
-        first_law(CohesiveModel::intrinsic) + " in the intrinsic one.";
+        automatic_law(CohesiveModel::extrinsic) + " in the extrinsic model, " +
+        automatic_law(CohesiveModel::intrinsic) + " in the intrinsic one.";
       for (const NamedLaw &law : laws)
         {
           text += " " + law.name + " (";
@@ -125,12 +123,6 @@ namespace rift
   to_string(const CohesiveParameters::Model model)
   {
     return model_names[static_cast<std::size_t>(model)];
-  }
-
-  std::string
-  CohesiveParameters::chosen_law() const
-  {
-    return law == automatic && model != Model::none ? first_law(model) : law;
   }
 
   void
