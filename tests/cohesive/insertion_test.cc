@@ -289,7 +289,7 @@ TEST(Insertion, DoesNotDependOnTheOrientation)
       const auto found = [&](const double turn) {
         BreakingBody body(make_box({2, 2, 2}, edge, .2, 7));
         Matrix       gradient{};
-        gradient[0][0] = -1.5 * 201.7e6 / 40.6e9;
+        gradient[0][0] = -2. * 201.7e6 / 40.6e9;
         gradient[1][1] = gradient[2][2] = -.2 * gradient[0][0];
         strain(body, gradient);
         for (NodeIndex i = 0; i < body.state.n_nodes(); ++i)
@@ -304,7 +304,7 @@ TEST(Insertion, DoesNotDependOnTheOrientation)
           }
         return find_faces(body);
       };
-      EXPECT_GT(found(0).size(), 20u);
+      EXPECT_GT(found(0).size(), 10u);
       EXPECT_EQ(found(angle), found(0));
     }
 }
