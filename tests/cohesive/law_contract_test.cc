@@ -1,3 +1,4 @@
+#include <rift/cohesive/cohesive_parameters.h>
 #include <rift/cohesive/laws/all.h>
 
 #include <gtest/gtest.h>
@@ -55,6 +56,18 @@ class LawContract : public ::testing::Test
 public:
   using Specimen = LawSpecimen<Law>;
 };
+
+// Where the scene chooses none.
+TEST(CohesiveLaw, FollowsFromTheModel)
+{
+  CohesiveParameters parameters;
+  parameters.model = CohesiveModel::extrinsic;
+  EXPECT_EQ(parameters.chosen_law(), CohesiveParameters::bonds);
+  parameters.model = CohesiveModel::intrinsic;
+  EXPECT_EQ(parameters.chosen_law(), "faces");
+  parameters.law = "linear";
+  EXPECT_EQ(parameters.chosen_law(), "linear");
+}
 
 TYPED_TEST_SUITE(LawContract, TypesOf<CohesiveLaws>::type, );
 
