@@ -90,9 +90,8 @@ class StraightPoint:
     def __init__(self, stiffness):
         self.stiffness = stiffness
         self.offset = self.opening = 0.
-        rise = .5 * TENSILE_STRENGTH**2 / stiffness
-        self.separation = ((FRACTURE_ENERGY - rise)
-                           / (SOFTENING_INTEGRAL * TENSILE_STRENGTH))
+        self.separation = FRACTURE_ENERGY / (SOFTENING_INTEGRAL
+                                             * TENSILE_STRENGTH)
 
     def strength(self):
         return softening(self.opening / self.separation) * TENSILE_STRENGTH
@@ -111,11 +110,6 @@ class StraightPoint:
 
 class ParabolicPoint(StraightPoint):
     """A point of the intrinsic model: the branch is the parabola (14b)."""
-
-    def __init__(self, stiffness):
-        super().__init__(stiffness)
-        self.separation = FRACTURE_ENERGY / (SOFTENING_INTEGRAL
-                                             * TENSILE_STRENGTH)
 
     def traction(self, jump):
         trial = self.stiffness * (jump - self.offset)
@@ -179,62 +173,6 @@ def plot_separation():
     left.set_ylabel("traction $t_n$, MPa")
     figure.tight_layout()
     save(figure, "theory_separation.png")
-
-
-# Mohr's circle and the strength reduction factor, eqs. 11, 11b, 11c ----------
-
-def plot_mohr_circle(beta=.6):
-    phi = np.arctan(FRICTION)
-    strength = 2 * COHESION * np.cos(phi) / (1 - np.sin(phi))
-    centre = radius = .5 * strength
-    # Angle of the normal from the axis of the load; the stress on that plane.
-    angle = np.linspace(0, np.pi / 2, 1801)
-    normal = -centre - radius * np.cos(2 * angle)
-    shear = radius * np.sin(2 * angle)
-    ratio = np.maximum(normal / TENSILE_STRENGTH,
-                       shear / (COHESION + np.maximum(-normal, 0) * FRICTION))
-    weakest = angle[np.argmax(ratio)]
-    allowed = ratio >= beta
-    print(f"uniaxial strength {strength * MPA:.1f} MPa, weakest plane at "
-          f"{np.degrees(weakest):.1f} degrees, ratio {ratio.max():.4f}; at "
-          f"least {beta} from {np.degrees(angle[allowed][0]):.1f} to "
-          f"{np.degrees(angle[allowed][-1]):.1f} degrees")
-
-    figure, (left, right) = axes(2, figsize=(10, 4.2))
-    stress = np.linspace(-210e6, TENSILE_STRENGTH, 300)
-    for s, style in ((1, "C0"), (beta, "C1")):
-        end = s * TENSILE_STRENGTH
-        x = np.append(stress[stress <= end], [end, end])
-        y = s * (COHESION + np.maximum(-x, 0) * FRICTION)
-        y[-1] = 0
-        left.plot(x * MPA, y * MPA, style, label="strength (11)" if s == 1
-                  else f"times s = $\\beta$ = {beta}")
-    left.plot(normal * MPA, shear * MPA, "grey", lw=1)
-    left.plot(normal[allowed] * MPA, shear[allowed] * MPA, "C3", lw=3,
-              label="planes that bear $\\beta$ or more")
-    i = np.argmax(ratio)
-    left.plot(normal[i] * MPA, shear[i] * MPA, "ko", ms=5)
-    left.annotate("weakest plane:\nat its strength",
-                  (normal[i] * MPA, shear[i] * MPA), (-130, 30), fontsize=9,
-                  arrowprops={"arrowstyle": "->", "lw": .7})
-    left.set(aspect="equal", xlim=(-212, 75), ylim=(0, 175),
-             xlabel="normal stress $\\sigma_n$, MPa",
-             ylabel="shear stress $|\\tau|$, MPa",
-             title=f"uniaxial compression of {strength * MPA:.0f} MPa")
-    left.legend(loc=(.52, .72), frameon=False, fontsize=9)
-
-    right.plot(np.degrees(angle), ratio, "grey", lw=1)
-    right.plot(np.degrees(angle[allowed]), ratio[allowed], "C3", lw=3)
-    right.axhline(beta, color="C1", lw=1)
-    right.axhline(1, color="C0", lw=1)
-    right.text(2, beta + .015, "$\\beta$ = 0.6", color="C1", fontsize=9)
-    right.text(2, 1.015, "strength", color="C0", fontsize=9)
-    right.set(xlim=(0, 90), ylim=(0, 1.12), xticks=range(0, 91, 15),
-              xlabel="angle of the normal to the load, degrees",
-              ylabel="stress over strength",
-              title="strength reduction factor $s$ of a face (11c)")
-    figure.tight_layout()
-    save(figure, "theory_mohr_circle.png")
 
 
 # Bond forces at a node that splits, eq. 18 -----------------------------------
@@ -430,6 +368,5 @@ def plot_contact():
 
 plot_envelope()
 plot_separation()
-plot_mohr_circle()
 plot_bond_forces()
 plot_contact()

@@ -29,7 +29,7 @@ namespace rift
     {
       if (parameters.cohesive.model == CohesiveParameters::Model::none)
         return nullptr;
-      if (parameters.cohesive.law == CohesiveParameters::bonds)
+      if (parameters.cohesive.chosen_law() == CohesiveParameters::bonds)
         return std::make_unique<BondFracture>(body.discretization,
                                               solid.internal_force(),
                                               body.materials,

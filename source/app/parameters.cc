@@ -46,7 +46,7 @@ namespace rift
           add(material.inert_entries());
           has_scatter = has_scatter || material.weibull_modulus != 0;
           const std::string section = "Material " + material.name;
-          if (parameters.cohesive.law != CohesiveParameters::bonds)
+          if (parameters.cohesive.chosen_law() != CohesiveParameters::bonds)
             result.push_back({section,
                               {"Correlation length"},
                               {{"Fracture", "Cohesive law"}},
@@ -159,7 +159,7 @@ namespace rift
                                  "true in one, or Cohesive model = none.");
           for (const MaterialParameters &material : materials)
             material.check_breakable();
-          if (parameters.cohesive.law == CohesiveParameters::bonds)
+          if (parameters.cohesive.chosen_law() == CohesiveParameters::bonds)
             check_bonds(parameters);
         }
       std::vector<std::string> names;

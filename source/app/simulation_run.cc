@@ -194,8 +194,8 @@ namespace rift
   Simulation::warn_of_results(const FaceCounts &faces)
   {
     const double     cohesive            = ledger.energies()["cohesive"];
-    constexpr double largest_unpaid_part = .05;
-    if (cohesive < 0 && -cohesive > largest_unpaid_part *
+    constexpr double largest_given_part = .05;
+    if (cohesive < 0 && -cohesive > largest_given_part *
                                       (ledger.energies().total() - cohesive))
       log.warn("faces that broke while they were compressed have given " +
                short_text(-cohesive) +

@@ -16,13 +16,23 @@ namespace rift
       std::unique_ptr<CohesiveElements> elements;
       const auto                        try_law = [&](auto *law) {
         using Law = std::remove_pointer_t<decltype(law)>;
-        if (Law::name == parameters.law && Law::model == parameters.model)
+        if (Law::name == parameters.chosen_law() &&
+            Law::model == parameters.model)
           elements = std::make_unique<CohesiveElementsOf<Law>>(arguments...);
       };
       (try_law(static_cast<Laws *>(nullptr)), ...);
       return elements;
     }
   } // namespace
+
+  std::string
+  CohesiveParameters::chosen_law() const
+  {
+    if (law != automatic || model == Model::none)
+      return law;
+    return model == Model::extrinsic ? bonds :
+                                       MohrCoulomb<ParabolicBranch>::name;
+  }
 
   std::unique_ptr<CohesiveElements>
   make_cohesive_elements(const CohesiveParameters &parameters,
@@ -38,7 +48,7 @@ namespace rift
                                   strengths,
                                   stiffness_of);
     if (!elements)
-      throw std::logic_error("no cohesive law \"" + parameters.law +
+      throw std::logic_error("no cohesive law \"" + parameters.chosen_law() +
                              "\" for this model");
     return elements;
   }

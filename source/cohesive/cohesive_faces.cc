@@ -47,11 +47,9 @@ namespace rift
   }
 
   void
-  CohesiveFaces::add(const FaceIndex face,
-                     const State    &state,
-                     const double    share)
+  CohesiveFaces::add(const FaceIndex face, const State &state)
   {
-    rift_check(!has(face) && share > 0 && share <= 1);
+    rift_check(!has(face));
     const unsigned int lane = size() % batch_size;
     if (lane == 0)
       {
@@ -61,7 +59,7 @@ namespace rift
         batches.push_back(empty);
       }
     index_of_face[face] = static_cast<std::uint32_t>(size());
-    infos.push_back({face, state.time, -1, share});
+    infos.push_back({face, state.time, -1});
 
     CohesiveBatch &batch = batches.back();
     batch.n_faces        = lane + 1;

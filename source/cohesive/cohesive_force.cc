@@ -43,9 +43,6 @@ namespace rift
                                const CohesiveParameters &parameters,
                                PenaltyStiffness          stiffness_of)
     : topology(topology)
-    , reference(reference)
-    , strengths(strengths)
-    , least_share(parameters.least_share)
     , cohesive_faces(topology, reference)
     , elements(make_cohesive_elements(parameters,
                                       cohesive_faces,
@@ -62,7 +59,7 @@ namespace rift
     for (FaceIndex face = 0; face < topology.faces.size(); ++face)
       if (topology.face_states[face] != FaceState::intact &&
           topology.needs_face(face))
-        cohesive_faces.add(face, state, 1);
+        cohesive_faces.add(face, state);
     for (CohesiveFaceInfo &info : cohesive_faces.infos)
       info.start_time = 0;
     elements->take_in_new_faces();
@@ -99,9 +96,7 @@ namespace rift
           });
         if (!cohesive_faces.has(first->face))
           {
-            cohesive_faces.add(first->face,
-                               state,
-                               share_at_start(state, first, last));
+            cohesive_faces.add(first->face, state);
             cohesive_faces.set_state(cohesive_faces.size() - 1,
                                      FaceState::opening,
                                      state.time);
@@ -110,28 +105,6 @@ namespace rift
       }
     elements->take_in_new_faces();
     elements->hold(state, corners);
-  }
-
-  double
-  CohesiveForce::share_at_start(const State         &state,
-                                const OpeningCorner *first,
-                                const OpeningCorner *last) const
-  {
-    if (least_share == 1)
-      return 1;
-    Vector3<double> traction = {{0, 0, 0}};
-    for (auto corner = first; corner != last; ++corner)
-      traction += corner->force;
-    traction = (3 / (reference_area(topology, reference, first->face) *
-                     (last - first))) *
-               traction;
-    const Vector3<double> normal =
-      current_normal(topology, state, topology.faces[first->face]);
-    const double normal_stress = dot(traction, normal);
-    const double share =
-      strengths.strength(first->face)
-        .share_of(normal_stress, norm(traction - normal_stress * normal));
-    return std::clamp(share, least_share, 1.);
   }
 
   void
@@ -158,7 +131,7 @@ namespace rift
         if (face == invalid_index || !topology.needs_face(face))
           continue;
         if (!cohesive_faces.has(face))
-          cohesive_faces.add(face, state, record.share);
+          cohesive_faces.add(face, state);
         indices[i]             = cohesive_faces.index(face);
         CohesiveFaceInfo &info = cohesive_faces.infos[indices[i]];
         info.start_time        = record.start_time;

@@ -61,13 +61,22 @@ namespace rift
              law.models.end();
     }
 
+    /** The law of a model where the scene chooses none. */
+    std::string
+    automatic_law(const CohesiveModel model)
+    {
+      CohesiveParameters parameters;
+      parameters.model = model;
+      return parameters.chosen_law();
+    }
+
     /** "A|B|C": what "Cohesive law" can be. */
     std::string
     law_names()
     {
-      std::string text;
+      std::string text = CohesiveParameters::automatic;
       for (const NamedLaw &law : laws)
-        text += (text.empty() ? "" : "|") + law.name;
+        text += "|" + law.name;
       return text;
     }
 
@@ -75,7 +84,10 @@ namespace rift
     description_of_laws()
     {
       std::string text =
-        "How the traction of a cohesive element follows its jump.";
+        "What cracks follow, and how the traction between their sides follows "
+        "the jump. automatic: " +
+        automatic_law(CohesiveModel::extrinsic) + " in the extrinsic model, " +
+        automatic_law(CohesiveModel::intrinsic) + " in the intrinsic one.";
       for (const NamedLaw &law : laws)
         {
           text += " " + law.name + " (";
@@ -141,15 +153,6 @@ namespace rift
                    "cell may grow by three times this factor. Elastic branches "
                    "and penalties against overlap are as stiff as that allows; "
                    "the time step falls with 1/sqrt(1 + 3 factor). Units: 1.");
-    declare_number(
-      prm,
-      "Least share of strength",
-      defaults.least_share,
-      "A face also breaks when the stress beside it reaches the strength on "
-      "some other plane, if the face itself bears at least this share of its "
-      "own strength; it is then as weak as what it bears. With 1 a face breaks "
-      "by itself alone, and meshes are stronger than the material, most in "
-      "compression with much friction. With less, more faces open. Units: 1.");
     prm.declare_entry("Cohesive penalty",
                       to_text(defaults.penalty.value) + " E",
                       Patterns::Anything(),
@@ -180,7 +183,6 @@ namespace rift
     result.law              = prm.get("Cohesive law");
     result.penalty          = read_penalty(prm.get("Cohesive penalty"));
     result.stiffness_factor = prm.get_double("Stiffness factor");
-    result.least_share      = prm.get_double("Least share of strength");
     result.seed = static_cast<unsigned int>(prm.get_integer("Seed"));
     prm.leave_subsection();
     return result;
@@ -197,13 +199,6 @@ namespace rift
                            "Stiffness factor",
                            "this must be " + to_text(smallest_factor) +
                              " or more.");
-    // Below, nearly every face of a loaded region opens.
-    constexpr double smallest_share = .1;
-    if (!(least_share >= smallest_share && least_share <= 1))
-      throw ParameterError(section,
-                           "Least share of strength",
-                           "this must be between " + to_text(smallest_share) +
-                             " and 1.");
     if (!(penalty.value > 0 && std::isfinite(penalty.value)))
       throw ParameterError(section,
                            "Cohesive penalty",
@@ -228,7 +223,7 @@ namespace rift
   void
   CohesiveParameters::check_law() const
   {
-    if (model == Model::none)
+    if (model == Model::none || law == automatic)
       return;
     std::string others;
     for (const NamedLaw &other : laws)
@@ -251,10 +246,7 @@ namespace rift
   {
     std::vector<std::string> names;
     if (model != Model::extrinsic)
-      {
-        names.push_back("Stiffness factor");
-        names.push_back("Least share of strength");
-      }
+      names.push_back("Stiffness factor");
     if (model != Model::intrinsic)
       names.push_back("Cohesive penalty");
     if (model == Model::none)
@@ -265,9 +257,9 @@ namespace rift
                                          model == Model::none ?
                                            "without a cohesive model" :
                                            "with this cohesive model"}};
-    if (model == Model::extrinsic && law == bonds)
+    if (model == Model::extrinsic && chosen_law() == bonds)
       result.push_back({section,
-                        {"Stiffness factor", "Least share of strength"},
+                        {"Stiffness factor"},
                         {{section, "Cohesive law"}},
                         "with this cohesive law"});
     return result;

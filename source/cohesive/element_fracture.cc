@@ -76,8 +76,7 @@ namespace rift
                           body.reference,
                           internal_force,
                           *strengths,
-                          bounds,
-                          parameters);
+                          bounds);
       }
     else
       force->start_all(body.state);

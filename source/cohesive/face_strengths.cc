@@ -113,23 +113,6 @@ namespace rift
     return factors.empty() ? result : result.scattered(factors[face]);
   }
 
-  FaceStrength
-  FaceStrengths::strength_of_all_planes(const FaceIndex face) const
-  {
-    FaceStrength              result = strength(face);
-    const Face               &f      = topology.faces[face];
-    const MaterialParameters &a      = materials[topology.material(f.cells[0])];
-    const MaterialParameters &b      = materials[topology.material(f.cells[1])];
-    if (!a.has_directional_strength() && !b.has_directional_strength())
-      return result;
-    const double factor     = factors.empty() ? 1. : factors[face];
-    result.tensile_strength = factor * std::min(a.tensile_strength.largest(),
-                                                b.tensile_strength.largest());
-    result.cohesion =
-      factor * std::min(a.cohesion.largest(), b.cohesion.largest());
-    return result;
-  }
-
   StressBounds
   FaceStrengths::stress_bounds(const Communicator &communicator) const
   {

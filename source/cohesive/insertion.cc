@@ -1,5 +1,4 @@
 #include <rift/cohesive/insertion.h>
-#include <rift/cohesive/weakest_plane.h>
 #include <rift/mesh/mesh_data.h>
 #include <rift/solid/cell_kernel.h>
 
@@ -8,17 +7,15 @@
 
 namespace rift
 {
-  Insertion::Insertion(const Topology           &topology,
-                       const ReferenceCellData  &reference,
-                       const InternalForce      &internal_force,
-                       const FaceStrengths      &strengths,
-                       const StressBounds       &bounds,
-                       const CohesiveParameters &parameters)
+  Insertion::Insertion(const Topology          &topology,
+                       const ReferenceCellData &reference,
+                       const InternalForce     &internal_force,
+                       const FaceStrengths     &strengths,
+                       const StressBounds      &bounds)
     : topology(topology)
     , reference(reference)
     , strengths(strengths)
     , bounds(bounds)
-    , least_share(parameters.least_share)
     , stresses(topology, internal_force)
   {
   }
@@ -75,12 +72,6 @@ namespace rift
     const Simd           zero{};
 
     std::array<std::uint8_t, n_corners> result{};
-    // By eq. (11b) one cell may be hot, and the other one load the face.
-    if (least_share < 1)
-      {
-        result.fill(0xff);
-        return result;
-      }
     for (unsigned int f = 0; f < n_corners; ++f)
       {
         const Vector3<Simd> n =
@@ -134,22 +125,8 @@ namespace rift
     const Vector3<double> normal = current_normal(topology, state, f);
 
     const double normal_stress = dot(traction, normal);
-    const double share         = strengths.strength(face).share_of(
+    return strengths.strength(face).is_reached(
       normal_stress,
       norm(traction - normal_stress * normal));
-    if (share >= 1 || share < least_share)
-      return share >= 1;
-    // Of the stress that does not turn with the body.
-    Matrix3<double> mean{};
-    for (const CellIndex cell : f.cells)
-      {
-        const SymmetricTensor<Simd> &s =
-          stresses.of_batch(state, cell / batch_size).second;
-        for (unsigned int i = 0; i < dim; ++i)
-          for (unsigned int j = 0; j < dim; ++j)
-            mean[i][j] += .5 * s[voigt[i][j]][cell % batch_size];
-      }
-    return some_plane_is_at_strength(mean,
-                                     strengths.strength_of_all_planes(face));
   }
 } // namespace rift

@@ -6,91 +6,33 @@ namespace rift
 {
   namespace
   {
-    /** What a mode has when its separation is chosen. */
-    struct Mode
-    {
-      double strength, fracture_energy, given, excess;
-    };
-
-    /**
-     * One over the jump beyond the peak over which a mode softens, 1/m, such
-     * that the work besides what has been given is the fracture energy: what
-     * the branch takes to its peak and what the excess takes are part of that.
-     */
+    /** Jump beyond the envelope over which a mode softens, m, if nothing but the
+     * fracture energy counts. */
     double
-    inverse_separation(const Mode  &mode,
-                       const double stiffness,
-                       const double rising_work_fraction)
+    separation(const double strength, const double fracture_energy)
     {
-      if (mode.strength == 0)
-        return 0;
-      const double peak = mode.strength + mode.excess;
-      const double rise =
-        std::max(0.,
-                 rising_work_fraction * peak * peak / stiffness - mode.given);
-      const double of_excess =
-        .5 * mode.excess * mode.excess / (excess_slope * stiffness);
-      return 1 / std::max((mode.fracture_energy - rise - of_excess) /
-                            (Softening::integral * mode.strength),
-                          shortest_separation * mode.strength / stiffness);
+      return fracture_energy / (Softening::integral * strength);
     }
 
-    void
-    set_separations(MohrCoulombPoint<double> &point,
-                    const FaceStrength       &strength,
-                    const double              stiffness,
-                    const double              rising_work_fraction)
-    {
-      const Mode opening = {strength.tensile_strength,
-                            strength.fracture_energy_1,
-                            point.given_opening,
-                            point.normal_excess};
-      const Mode sliding = {point.cohesion,
-                            strength.fracture_energy_2,
-                            point.given_sliding,
-                            point.shear_excess};
-      point.inverse_opening =
-        inverse_separation(opening, stiffness, rising_work_fraction);
-      point.inverse_slip =
-        inverse_separation(sliding, stiffness, rising_work_fraction);
-    }
-
-    /** Of an elastic branch, J/m^2: what fracture will use up, by modes, and
-     * what the body can repay since the face is under pressure. */
-    struct BranchEnergy
-    {
-      double opening, sliding, owed;
-    };
-
-    /**
-     * Shear traction that has the energy which is given, Pa. Without pressure
-     * that is all; with a pressure like the shear that the cohesion carries the
-     * body can repay all. In between, what is owed falls with the pressure, so
-     * that the closing that repays it has a bound.
-     */
+    /** The shortest one, m. */
     double
-    given_shear(const Vector3<double> &traction,
-                const double           friction_coefficient)
+    least_separation(const double strength, const double stiffness)
     {
-      const double pressure = std::max(-traction[0], 0.);
-      const double cohesion = std::max(std::hypot(traction[1], traction[2]) -
-                                         friction_coefficient * pressure,
-                                       0.);
-      return std::sqrt(cohesion * std::max(cohesion - pressure, 0.));
+      return shortest_separation * strength / stiffness;
     }
 
-    BranchEnergy
-    energy_of(const Vector3<double> &traction,
-              const double           friction_coefficient,
-              const double           stiffness)
+    /** Elastic energy of tension and of the shear that the cohesion carries,
+     * J/m^2. */
+    double
+    cohesive_energy(const Vector3<double> &traction,
+                    const double           friction_coefficient,
+                    const double           stiffness)
     {
-      const double tension = std::max(traction[0], 0.);
-      const double shear   = given_shear(traction, friction_coefficient);
-      const double opening = .5 * tension * tension / stiffness;
-      const double sliding = .5 * shear * shear / stiffness;
-      return {opening,
-              sliding,
-              .5 * dot(traction, traction) / stiffness - opening - sliding};
+      const double tension  = std::max(traction[0], 0.);
+      const double friction = friction_coefficient * std::max(-traction[0], 0.);
+      const double shear =
+        std::max(std::hypot(traction[1], traction[2]) - friction, 0.);
+      return .5 * (tension * tension + shear * shear) / stiffness;
     }
   } // namespace
 
@@ -99,25 +41,27 @@ namespace rift
   MohrCoulomb<Branch>::make_constants(const FaceStrength &strength,
                                       const double        stiffness)
   {
+    const auto inverse = [stiffness](const double of_strength,
+                                     const double energy) {
+      return 1 / std::max(separation(of_strength, energy),
+                          least_separation(of_strength, stiffness));
+    };
     return {stiffness,
             strength.tensile_strength,
             strength.cohesion,
             strength.tan_friction_angle,
-            strength.residual_friction};
+            strength.residual_friction,
+            inverse(strength.tensile_strength, strength.fracture_energy_1),
+            inverse(strength.cohesion, strength.fracture_energy_2)};
   }
 
   template <typename Branch>
   MohrCoulombPoint<double>
-  MohrCoulomb<Branch>::make_point(const FaceStrength      &strength,
-                                  const Constants<double> &constants)
+  MohrCoulomb<Branch>::make_point(const FaceStrength &,
+                                  const Constants<double> &)
   {
     Point<double> point{};
     point.softening = 1;
-    point.cohesion  = strength.cohesion;
-    set_separations(point,
-                    strength,
-                    constants.stiffness,
-                    Branch::rising_work_fraction);
     return point;
   }
 
@@ -126,56 +70,46 @@ namespace rift
   MohrCoulomb<Branch>::is_resolved(const FaceStrength      &strength,
                                    const Constants<double> &constants)
   {
-    const auto is_too_short = [&](const double of_strength,
-                                  const double energy) {
-      return (Softening::integral * shortest_separation +
-              Branch::rising_work_fraction) *
-               of_strength * of_strength / constants.stiffness >
-             energy;
+    const auto is_long_enough = [&](const double of_strength,
+                                    const double energy) {
+      return separation(of_strength, energy) >=
+             least_separation(of_strength, constants.stiffness);
     };
-    return !is_too_short(strength.tensile_strength,
-                         strength.fracture_energy_1) &&
-           !is_too_short(strength.cohesion, strength.fracture_energy_2);
+    return is_long_enough(strength.tensile_strength,
+                          strength.fracture_energy_1) &&
+           is_long_enough(strength.cohesion, strength.fracture_energy_2);
   }
 
   template <typename Branch>
-  double
-  MohrCoulomb<Branch>::hold_traction(Point<double>           &point,
-                                     const FaceStrength      &strength,
+  InitialEnergy
+  MohrCoulomb<Branch>::hold_traction(Point<double> &point,
+                                     const FaceStrength &,
                                      const Constants<double> &constants,
                                      const Vector3<double>   &jump,
                                      const Vector3<double>   &more)
   {
     const double          stiffness   = constants.stiffness;
+    const double          coefficient = constants.friction_at(point.softening);
     const Vector3<double> before      = point.traction;
     const Vector3<double> t           = before + more;
-    const double          coefficient = constants.friction_at(point.softening);
     const double          friction    = coefficient * std::max(-t[0], 0.);
-    const double tensile_strength = point.softening * strength.tensile_strength;
-    const double cohesion         = point.softening * strength.cohesion;
-    const double shear            = std::hypot(t[1], t[2]) - friction;
-    // A face that opens in tension has the shear strength that it needs.
-    if (t[0] > 0 && point.softening > 0 &&
-        t[0] * cohesion > shear * tensile_strength)
-      point.cohesion = std::min(shear / point.softening, strength.cohesion);
+    const double          shear       = std::hypot(t[1], t[2]) - friction;
     // Excess that has not been worked off remains.
     point.normal_excess =
-      std::max(point.normal_excess, t[0] - tensile_strength);
-    point.shear_excess =
-      std::max(point.shear_excess, shear - point.softening * point.cohesion);
-    point.traction = t;
+      std::max(point.normal_excess,
+               t[0] - point.softening * constants.tensile_strength);
+    point.shear_excess = std::max(point.shear_excess,
+                                  shear - point.softening * constants.cohesion);
+    point.traction     = t;
     // A failed point that is open keeps its place of closing as offset, which
     // is none of its elastic branch.
     if (point.softening <= 0 && before[0] == 0)
       point.offset[0] = jump[0];
     point.offset -= (1 / stiffness) * more;
-    const BranchEnergy had = energy_of(before, coefficient, stiffness);
-    const BranchEnergy has = energy_of(t, coefficient, stiffness);
-    point.given_opening += has.opening - had.opening;
-    point.given_sliding += has.sliding - had.sliding;
-    point.debt += has.owed - had.owed;
-    set_separations(point, strength, stiffness, Branch::rising_work_fraction);
-    return has.opening - had.opening + has.sliding - had.sliding;
+    const double cohesive = cohesive_energy(t, coefficient, stiffness) -
+                            cohesive_energy(before, coefficient, stiffness);
+    const double all = .5 * (dot(t, t) - dot(before, before)) / stiffness;
+    return {cohesive, all - cohesive};
   }
 
   template class MohrCoulomb<StraightBranch>;

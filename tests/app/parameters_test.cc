@@ -85,6 +85,7 @@ subsection Body force
 end
 subsection Fracture
   set Cohesive model = extrinsic
+  set Cohesive law = faces
   set Stiffness factor = 0.5
   set Seed = 42
 end

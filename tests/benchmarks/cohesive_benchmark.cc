@@ -17,6 +17,7 @@ namespace rift::test
     {
       CohesiveParameters parameters;
       parameters.model = model;
+      parameters.law   = "faces";
       return parameters;
     }
 

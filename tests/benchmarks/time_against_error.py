@@ -29,7 +29,8 @@ def intrinsic(penalty):
 
 # What each model adds to a scene.
 MODELS = {"none": {},
-          "extrinsic": {"Fracture": {"Cohesive model": "extrinsic"},
+          "extrinsic": {"Fracture": {"Cohesive model": "extrinsic",
+                                     "Cohesive law": "faces"},
                         "Material rock": STRONG},
           **{f"intrinsic {p}E": intrinsic(p) for p in (1, 5, 10, 50, 100, 1000)}}
 

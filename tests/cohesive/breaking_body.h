@@ -69,44 +69,12 @@ namespace rift::test
   using ExtrinsicLaw = MohrCoulomb<StraightBranch>;
 
   inline CohesiveParameters
-  parameters_of(const CohesiveModel model, const double least_share = 1)
+  parameters_of(const CohesiveModel model)
   {
     CohesiveParameters parameters;
-    parameters.model       = model;
-    parameters.least_share = least_share;
+    parameters.model = model;
+    parameters.law   = "faces";
     return parameters;
-  }
-
-  inline CohesiveParameters
-  extrinsic(CohesiveParameters parameters)
-  {
-    parameters.model = CohesiveModel::extrinsic;
-    return parameters;
-  }
-
-  /**
-   * Clears what compressed faces have still to draw from the body, for tests
-   * that hold nodes in place: there, repaying it would lower the pressure.
-   *
-   * @return how much it was, J.
-   */
-  inline double
-  forgive_debts(CohesiveForce &force)
-  {
-    const FaceQuadrature quadrature;
-    auto                &elements = elements_of<ExtrinsicLaw>(force);
-    double               sum      = 0;
-    for (std::size_t i = 0; i < force.faces().size(); ++i)
-      for (unsigned int q = 0; q < n_face_points; ++q)
-        {
-          const double area =
-            force.faces().batches[i / batch_size].area[i % batch_size];
-          auto point = elements.point(i, q);
-          sum += quadrature.weight[q] * area * point.debt;
-          point.debt = 0;
-          elements.set_point(i, q, point);
-        }
-    return sum;
   }
 
   /** A body with the modules that break it, as a simulation has them. */
@@ -118,8 +86,9 @@ namespace rift::test
       const AnyBody                  &body,
       std::vector<MaterialParameters> the_materials    = {granite()},
       const double                    stiffness_factor = .25,
-      const CohesiveParameters       &parameters       = {},
-      const Communicator             &communicator     = Communicator())
+      const CohesiveParameters       &parameters =
+        parameters_of(CohesiveModel::extrinsic),
+      const Communicator &communicator = Communicator())
       : communicator(communicator)
       , materials(std::move(the_materials))
       , discrete(discretize(body, densities_of(materials)))
@@ -134,12 +103,11 @@ namespace rift::test
                   discrete.reference,
                   internal_force,
                   strengths,
-                  bounds,
-                  parameters)
+                  bounds)
       , force(topology,
               discrete.reference,
               strengths,
-              extrinsic(parameters),
+              parameters,
               stable_penalty_stiffness(topology,
                                        discrete.reference,
                                        stiffnesses_of(materials),

@@ -1,6 +1,4 @@
 #include "breaking_body.h"
-#include <rift/cohesive/weakest_plane.h>
-
 #include <gtest/gtest.h>
 
 using namespace rift;
@@ -83,11 +81,11 @@ namespace
   }
 
   /**
-   * How near a face is to a share of its strength, by the definition: the
+   * How near a face is to its strength, by the definition: the
    * larger of sigma_n - T and |tau| - c + min(sigma_n, 0) tan(phi), Pa.
    */
   double
-  excess(const BreakingBody &body, const FaceIndex face, const double share = 1)
+  excess(const BreakingBody &body, const FaceIndex face)
   {
     const Face &f = body.topology.faces[face];
     Vector      x[3], reference[3];
@@ -110,33 +108,18 @@ namespace
     const double       sigma = dot(traction, normal);
     const double       tau   = norm(traction - sigma * normal);
     const FaceStrength s     = body.strengths.strength(face);
-    return std::max(
-      sigma - share * s.tensile_strength,
-      tau - share * (s.cohesion - std::min(sigma, 0.) * s.tan_friction_angle));
-  }
-
-  bool
-  breaks(const BreakingBody &body, const FaceIndex face, const double share)
-  {
-    const auto &cells = body.topology.faces[face].cells;
-    Matrix      mean{};
-    for (const CellIndex cell : cells)
-      for (unsigned int i = 0; i < dim; ++i)
-        mean[i] += .5 * second_stress(body, cell)[i];
-    return excess(body, face) >= 0 ||
-           (excess(body, face, share) >= 0 &&
-            some_plane_is_at_strength(
-              mean,
-              body.strengths.strength_of_all_planes(face)));
+    return std::max(sigma - s.tensile_strength,
+                    tau - s.cohesion +
+                      std::min(sigma, 0.) * s.tan_friction_angle);
   }
 
   std::vector<FaceIndex>
-  brute_force(const BreakingBody &body, const double share = 1)
+  brute_force(const BreakingBody &body)
   {
     std::vector<FaceIndex> faces;
     for (const FaceIndex face : body.all_faces())
       if (body.topology.face_states[face] == FaceState::intact &&
-          body.strengths.is_breakable(face) && breaks(body, face, share))
+          body.strengths.is_breakable(face) && excess(body, face) >= 0)
         faces.push_back(face);
     return faces;
   }
@@ -269,7 +252,7 @@ TEST(Insertion, CohesionInTensionAndFrictionInCompression)
 TEST(Insertion, AgreesWithBruteForce)
 {
   std::mt19937 random(1);
-  std::size_t  n_found = 0, n_tilted = 0, n_missed = 0;
+  std::size_t  n_found = 0, n_missed = 0;
   auto         weak   = granite();
   weak.cohesion       = 10e6;
   weak.friction_angle = .2;
@@ -280,9 +263,8 @@ TEST(Insertion, AgreesWithBruteForce)
         cell.material = random() % 2;
       auto other            = weak;
       other.weibull_modulus = sample % 2 ? 5 : 0;
-      CohesiveParameters parameters;
-      parameters.seed        = sample;
-      parameters.least_share = sample % 4 < 2 ? 1 : .1 * (1 + sample % 10);
+      auto parameters       = parameters_of(CohesiveModel::extrinsic);
+      parameters.seed       = sample;
       BreakingBody body(shape, {granite(), other}, .25, parameters);
       // Some faces are cut already.
       for (const FaceIndex face : body.all_faces())
@@ -290,14 +272,12 @@ TEST(Insertion, AgreesWithBruteForce)
           body.topology.face_states[face] = FaceState::cut;
       strain_at_random(body, random);
 
-      const auto expected = brute_force(body, parameters.least_share);
+      const auto expected = brute_force(body);
       ASSERT_EQ(find_faces(body), expected) << "sample " << sample;
       n_found += expected.size();
-      n_tilted += expected.size() - brute_force(body).size();
       n_missed += body.all_faces().size() - expected.size();
     }
   EXPECT_GT(n_found, 1000u);
-  EXPECT_GT(n_tilted, 500u);
   EXPECT_GT(n_missed, 1000u);
 }
 
@@ -306,15 +286,10 @@ TEST(Insertion, DoesNotDependOnTheOrientation)
 {
   for (const double angle : {.5, M_PI / 2, M_PI})
     {
-      CohesiveParameters parameters;
-      parameters.least_share = .3;
-      const auto found       = [&](const double turn) {
-        BreakingBody body(make_box({2, 2, 2}, edge, .2, 7),
-                          {granite()},
-                          .25,
-                          parameters);
+      const auto found = [&](const double turn) {
+        BreakingBody body(make_box({2, 2, 2}, edge, .2, 7));
         Matrix       gradient{};
-        gradient[0][0] = -1.01 * 201.7e6 / 40.6e9;
+        gradient[0][0] = -2. * 201.7e6 / 40.6e9;
         gradient[1][1] = gradient[2][2] = -.2 * gradient[0][0];
         strain(body, gradient);
         for (NodeIndex i = 0; i < body.state.n_nodes(); ++i)
@@ -329,44 +304,8 @@ TEST(Insertion, DoesNotDependOnTheOrientation)
           }
         return find_faces(body);
       };
-      EXPECT_GT(found(0).size(), 20u);
+      EXPECT_GT(found(0).size(), 10u);
       EXPECT_EQ(found(angle), found(0));
-    }
-}
-
-// By (11b) the face breaks though the cell that is near its strength is not the
-// one that loads the face: tension along the face in a stiff cell, across it
-// and below the strength in a soft one.
-TEST(Insertion, ShareIsSeenFromBothSides)
-{
-  Body shape;
-  shape.vertices       = {{{0, 0, 0}},
-                          {{edge, 0, 0}},
-                          {{0, edge, 0}},
-                          {{0, 0, edge}},
-                          {{0, 0, -edge}}};
-  shape.cells          = {{0, {{0, 1, 2, 3}}, 0}, {0, {{0, 2, 1, 4}}, 1}};
-  auto stiff           = granite();
-  stiff.poissons_ratio = 0;
-  auto soft            = stiff;
-  soft.youngs_modulus  = .01 * stiff.youngs_modulus;
-  for (const double across : {.5, .65})
-    {
-      CohesiveParameters parameters;
-      parameters.least_share = .3;
-      BreakingBody body(shape, {stiff, soft}, .25, parameters);
-      const double of_strength =
-        granite_strength().tensile_strength / stiff.youngs_modulus;
-      // The soft cell lies below z = 0.
-      for (NodeIndex i = 0; i < body.state.n_nodes(); ++i)
-        {
-          body.state.displacement[i][0] =
-            2.01 * of_strength * body.state.reference[i][0];
-          body.state.displacement[i][2] =
-            100 * across * of_strength *
-            std::min<double>(body.state.reference[i][2], 0);
-        }
-      EXPECT_EQ(find_faces(body).size(), across > .6 ? 1u : 0u);
     }
 }
 

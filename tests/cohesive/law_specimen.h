@@ -56,13 +56,14 @@ namespace rift::test
       return Law::elastic_energy(point, constants);
     }
 
-    /** hold_traction() at the present jump; returns the energy given. */
-    double
+    /** hold_traction() at the present jump. */
+    void
     hold(const Vector &traction)
     {
-      given =
+      const InitialEnergy energy =
         Law::hold_traction(point, face_strength, constants, jump, traction);
-      return given + Law::owed_energy(point);
+      given.cohesive += energy.cohesive;
+      given.frictional += energy.frictional;
     }
 
     double
@@ -76,8 +77,8 @@ namespace rift::test
     typename Law::template Constants<double> constants;
     typename Law::template Point<double>     point;
     Vector                                   jump = {{0, 0, 0}};
-    double work = 0, fracture = 0, friction = 0;
-    double given = 0;
+    double        work = 0, fracture = 0, friction = 0;
+    InitialEnergy given = {0, 0};
   };
 
   template <typename Branch>
@@ -86,18 +87,7 @@ namespace rift::test
   /** In the extrinsic model. */
   using Specimen = BranchSpecimen<StraightBranch>;
 
-  /** Jump beyond the peak at which a mode has separated fully; in the extrinsic
-   * model the way to the peak takes its part. */
-  inline double
-  full_jump(
-    const double energy,
-    const double peak,
-    const double rising_work_fraction = StraightBranch::rising_work_fraction)
-  {
-    return (energy - rising_work_fraction * peak * peak / stiffness) /
-           (Softening::integral * peak);
-  }
-
+  /** Jumps beyond the peak at which a mode has separated, m. */
   const double full_opening = strength.fracture_energy_1 / Softening::integral /
                               strength.tensile_strength;
   const double full_slip =

@@ -68,18 +68,12 @@ TEST(RisingBranch, ShearRisesToCohesionAndFriction)
 
 TEST(RisingBranch, SoftensOverTheJumpBeyondThePeak)
 {
-  const double o_t = full_jump(strength.fracture_energy_1,
-                               strength.tensile_strength,
-                               ParabolicBranch::rising_work_fraction);
-  const double s_t = full_jump(strength.fracture_energy_2,
-                               strength.cohesion,
-                               ParabolicBranch::rising_work_fraction);
-  Intrinsic    opening, sliding;
+  Intrinsic opening, sliding;
   for (unsigned int i = 1; i < 1000; ++i)
     {
       const double f = Softening::exact(i / 1000.);
-      opening.step_to({{peak_opening + i / 1000. * o_t, 0, 0}});
-      sliding.step_to({{0, 0, peak_slip + i / 1000. * s_t}});
+      opening.step_to({{peak_opening + i / 1000. * full_opening, 0, 0}});
+      sliding.step_to({{0, 0, peak_slip + i / 1000. * full_slip}});
       EXPECT_NEAR(opening.point.traction[0],
                   f * strength.tensile_strength,
                   1e-8 * strength.tensile_strength);

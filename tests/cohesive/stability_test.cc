@@ -8,7 +8,7 @@ namespace
   Outcome
   check(const Body &shape, const double reach, const double tolerance)
   {
-    return check_shaken(shape, reach, tolerance, "Mohr-Coulomb");
+    return check_shaken(shape, reach, tolerance, "faces");
   }
 } // namespace
 

@@ -178,6 +178,7 @@ namespace
                                   {});
     CohesiveParameters  extrinsic;
     extrinsic.model = CohesiveModel::extrinsic;
+    extrinsic.law   = "faces";
     CohesiveForce              force(body.topology,
                         body.reference,
                         strengths,

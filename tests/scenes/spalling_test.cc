@@ -33,6 +33,8 @@ namespace
     return rows;
   }
 
+  const std::string faces = "Fracture/Cohesive law=faces";
+
   /** The scene of prm/spalling with coarse cells. */
   Parameters
   scene(std::vector<std::string> overrides = {})
@@ -79,7 +81,7 @@ namespace
 
 TEST(Spalling, FreeSurfaceVelocityAndEnergy)
 {
-  const Outcome outcome = run(scene());
+  const Outcome outcome = run(scene({faces}));
 
   // The 1-D reference: 7.73 m/s; with the speed of bar waves, 3920.8 m/s, half
   // of it is there after 180 mm and a sixth of the pulse of 60 us.
@@ -119,8 +121,8 @@ const std::string short_end = "Time/End time=100e-6";
 
 TEST(Spalling, RunsAreRepeatable)
 {
-  const Outcome first  = run(scene({short_end}));
-  const Outcome second = run(scene({short_end}));
+  const Outcome first  = run(scene({faces, short_end}));
+  const Outcome second = run(scene({faces, short_end}));
   EXPECT_GT(number(first, "faces_inserted"), 0);
   EXPECT_EQ(first.state_hash, second.state_hash);
   EXPECT_EQ(first.fspv, second.fspv);
@@ -129,8 +131,10 @@ TEST(Spalling, RunsAreRepeatable)
 TEST(Spalling, WeibullScatter)
 {
   const std::string modulus = "Material granite/Weibull modulus=10";
-  const Outcome     first = run(scene({short_end, modulus, "Fracture/Seed=1"}));
-  const Outcome second    = run(scene({short_end, modulus, "Fracture/Seed=2"}));
+  const Outcome     first =
+    run(scene({faces, short_end, modulus, "Fracture/Seed=1"}));
+  const Outcome second =
+    run(scene({faces, short_end, modulus, "Fracture/Seed=2"}));
   EXPECT_GT(number(first, "faces_inserted"), 0);
   EXPECT_LE(number(first, "energy_residual_relative"), 2e-3);
   EXPECT_NE(first.state_hash, second.state_hash);
@@ -174,6 +178,7 @@ TEST(Spalling, WithoutInsertionItIsPlainFiniteElements)
   const std::string end = "Time/End time=100e-6", step = "Time/Time step=1e-7";
   const Outcome     strong = run(scene({end,
                                         step,
+                                        faces,
                                         "Material granite/Tensile strength=1e9",
                                         "Material granite/Cohesion=1e9"}));
   const Outcome plain = run(scene({end, step, "Fracture/Cohesive model=none"}));

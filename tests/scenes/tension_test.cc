@@ -43,6 +43,7 @@ namespace
     scene.mesh.material     = material.name;
     scene.materials         = {material};
     scene.cohesive.model    = CohesiveParameters::Model::extrinsic;
+    scene.cohesive.law      = "faces";
     scene.time.end_time     = 1;
     BoundaryParameters end;
     end.name                = side + "_min";

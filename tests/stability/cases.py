@@ -14,7 +14,8 @@ STRONG = {**BRITTLE, "Tensile strength": "1e10", "Cohesion": "1e10",
           "Fracture energy I": "1e8", "Fracture energy II": "1e8"}
 
 NONE = {}
-EXTRINSIC = {"Fracture": {"Cohesive model": "extrinsic"}}
+EXTRINSIC = {"Fracture": {"Cohesive model": "extrinsic",
+                          "Cohesive law": "faces"}}
 
 
 def intrinsic(penalty):

@@ -20,8 +20,8 @@ namespace rift
   /** Energies of the cohesive elements that this rank owns, J. */
   struct CohesiveEnergy
   {
-    /** Elastic, less what the faces were given when they began to open and
-     * have not drawn from the body since. */
+    /** Elastic, less what the faces were given when they began to open; what
+     * fracture uses up of that counts until a face has failed. */
     ExactSum recoverable;
 
     /** Used up until now, by fracture and by friction. */
@@ -36,17 +36,17 @@ namespace rift
     FaceName face;
 
     /** CohesiveFaceInfo; s. */
-    double start_time, failure_time, share;
+    double start_time, failure_time;
 
-    /** Energies, J. */
-    double fracture, friction, given, owed;
+    /** Energies used up, and given at the start, J. */
+    double fracture, friction, given_cohesive, given_frictional;
   };
 
   template <>
   struct HasPlainBytes<CohesiveFaceRecord> : std::true_type
   {
     static_assert(sizeof(CohesiveFaceRecord) ==
-                  sizeof(FaceName) + 7 * sizeof(double));
+                  sizeof(FaceName) + 6 * sizeof(double));
   };
 
   /** Cohesive elements in a checkpoint. */

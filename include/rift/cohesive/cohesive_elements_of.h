@@ -108,13 +108,8 @@ namespace rift
       /** Energies of a face that fracture and friction have used up, J. */
       Simd fracture, friction;
 
-      /** Energy that a face was given when its nodes parted and that fracture
-       * uses up, J; Law::hold_traction(). */
-      Simd given;
-
-      /** What a face that has been let go of still owes, J;
-       * Law::owed_energy(). */
-      Simd owed;
+      /** The InitialEnergy that a face was given when its nodes parted, J. */
+      Simd given_cohesive, given_frictional;
     };
 
     /** Null if the batch has none. */
@@ -132,12 +127,11 @@ namespace rift
       return memory == invalid_index ? nullptr : &memories[memory];
     }
 
-    /** Strength of a cohesive element, its share included. */
+    /** Strength of a cohesive element. */
     FaceStrength
     strength_of(const std::size_t index) const
     {
-      const CohesiveFaceInfo &info = faces.infos[index];
-      return strengths.strength(info.face).times(info.share);
+      return strengths.strength(faces.infos[index].face);
     }
 
     /** Gives a batch a memory in which nothing has happened yet. */
@@ -190,10 +184,6 @@ namespace rift
     /** Elastic energies of the faces of a batch, J. */
     Simd
     elastic_energy(const State &state, std::size_t batch) const;
-
-    /** What the faces of a batch owe, J, but for those let go of. */
-    Simd
-    owed_energy(std::size_t batch) const;
 
     CohesiveFaces         &faces;
     const Topology        &topology;

@@ -225,12 +225,10 @@ namespace rift
     for (unsigned int q = 0; q < n_face_points; ++q)
       elastic += quadrature.weight[q] * area *
                  Law::elastic_energy(memory.points[q], all_constants[b]);
-    const Simd owed = owed_energy(b);
     for (unsigned int lane = 0; lane < faces.batches[b].n_faces; ++lane)
       if (lanes[lane])
         {
           memory.fracture[lane] += elastic[lane];
-          memory.owed[lane] += owed[lane];
           area[lane] = 0;
           faces.set_state(b * batch_size + lane, FaceState::released, time);
         }
@@ -276,14 +274,16 @@ namespace rift
         Vector3<double> jump;
         for (unsigned int d = 0; d < dim; ++d)
           jump[d] = jumps[d][lane];
-        Point point = get_lane<Point>(memory.points[q], lane);
-        memory.given[lane] +=
-          quadrature.weight[q] * area *
+        Point               point = get_lane<Point>(memory.points[q], lane);
+        const InitialEnergy energy =
           Law::hold_traction(point,
                              strength,
                              constants(index),
                              jump,
                              traction_of(forces, area, quadrature.shape[q]));
+        const double share = quadrature.weight[q] * area;
+        memory.given_cohesive[lane] += share * energy.cohesive;
+        memory.given_frictional[lane] += share * energy.frictional;
         set_lane(memory.points[q], lane, point);
       }
   }
@@ -315,45 +315,29 @@ namespace rift
   }
 
   template <typename Law>
-  Simd
-  CohesiveElementsOf<Law>::owed_energy(const std::size_t b) const
-  {
-    Simd owed{};
-    if (const Memory *memory = memory_of(b))
-      {
-        const Simd area = faces.acting_area(b);
-        for (unsigned int q = 0; q < n_face_points; ++q)
-          owed +=
-            quadrature.weight[q] * area * Law::owed_energy(memory->points[q]);
-      }
-    return owed;
-  }
-
-  template <typename Law>
   CohesiveEnergy
   CohesiveElementsOf<Law>::energy(const State &state) const
   {
     CohesiveEnergy energy;
     for (std::size_t b = 0; b < faces.batches.size(); ++b)
       {
-        const Simd    recoverable = elastic_energy(state, b) - owed_energy(b);
-        const Memory *memory      = memory_of(b);
+        const Simd    elastic = elastic_energy(state, b);
+        const Memory *memory  = memory_of(b);
         for (unsigned int lane = 0; lane < faces.batches[b].n_faces; ++lane)
           {
             const std::size_t i = b * batch_size + lane;
             if (!faces.is_owned(i))
               continue;
-            energy.recoverable.add(recoverable[lane]);
+            energy.recoverable.add(elastic[lane]);
             if (memory == nullptr)
               continue;
             energy.fracture.add(memory->fracture[lane]);
             energy.friction.add(memory->friction[lane]);
-            energy.recoverable.add(-memory->owed[lane]);
-            // What the elastic branch was given at the start belongs to the
-            // recoverable energy until the face has failed.
+            energy.recoverable.add(-memory->given_frictional[lane]);
+            // Fracture has used up the other part when the face has failed.
             (faces.state(i) >= FaceState::failed ? energy.fracture :
                                                    energy.recoverable)
-              .add(-memory->given[lane]);
+              .add(-memory->given_cohesive[lane]);
           }
       }
     return energy;

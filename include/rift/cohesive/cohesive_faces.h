@@ -57,9 +57,6 @@ namespace rift
     /** Times at which the first nodes parted (0 in the intrinsic model) and at
      * which the face failed, s; the latter is negative before. */
     double start_time, failure_time;
-
-    /** What of the strength of its plane it has; doc/theory.md, eq. 11c. */
-    double share;
   };
 
   /**
@@ -98,13 +95,9 @@ namespace rift
       return index_of_face[face];
     }
 
-    /**
-     * Gives a face an element.
-     *
-     * @param share of its strength that it has.
-     */
+    /** Gives a face an element. */
     void
-    add(FaceIndex face, const State &state, double share);
+    add(FaceIndex face, const State &state);
 
     /** Takes in which nodes the faces around these vertices have now. */
     void

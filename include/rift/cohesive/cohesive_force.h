@@ -27,9 +27,7 @@ namespace rift
   {
   public:
     /**
-     * @param parameters the model, the law and the least share of its strength
-     *   with which a face may begin to open; faces that bear less than all of
-     *   it then are as weak as that (doc/theory.md, eq. 11c).
+     * @param parameters the model and the law.
      * @param stiffness_of a face: that of its elastic branch.
      */
     CohesiveForce(Topology                 &topology,
@@ -174,17 +172,7 @@ namespace rift
     }
 
   private:
-    /** What the strength of a face is times, by the forces on the corners with
-     * which it begins to open. */
-    double
-    share_at_start(const State         &state,
-                   const OpeningCorner *first,
-                   const OpeningCorner *last) const;
-
-    Topology                &topology;
-    const ReferenceCellData &reference;
-    const FaceStrengths     &strengths;
-    const double             least_share;
+    Topology &topology;
 
     CohesiveFaces                           cohesive_faces;
     const std::unique_ptr<CohesiveElements> elements;

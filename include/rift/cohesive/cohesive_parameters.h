@@ -31,8 +31,15 @@ namespace rift
     /** The law that is not of faces but of planes through nodes. */
     static constexpr const char *bonds = "bonds";
 
-    /** `bonds`, or the name of one of the CohesiveLaws. */
-    std::string law = "Mohr-Coulomb";
+    /** Bonds in the extrinsic model, faces in the intrinsic one. */
+    static constexpr const char *automatic = "automatic";
+
+    /** `automatic`, `bonds`, or the name of one of the CohesiveLaws. */
+    std::string law = automatic;
+
+    /** The law that acts: never `automatic` where something breaks. */
+    std::string
+    chosen_law() const;
 
     /**
      * Room that the time step leaves for cohesive faces: the square of the
@@ -41,12 +48,6 @@ namespace rift
      * penalties against overlap are as stiff as that allows.
      */
     double stiffness_factor = 0.25;
-
-    /**
-     * Extrinsic: share of its own strength that a face must bear to break where
-     * the strength is reached on some other plane. 1: breaks by itself alone.
-     */
-    double least_share = 1;
 
     /** Of the intrinsic model. */
     Penalty penalty = {10, true};
@@ -62,8 +63,8 @@ namespace rift
     static CohesiveParameters
     parse(dealii::ParameterHandler &prm);
 
-    /** Throws ParameterError for a law that does not serve the model, a
-     * stiffness that is too small and a share that is none. */
+    /** Throws ParameterError for a law that does not serve the model and a
+     * stiffness that is too small. */
     void
     check() const;
 

@@ -59,11 +59,10 @@ namespace rift
         result.faces.push_back({topology.face_name(info.face),
                                 info.start_time,
                                 info.failure_time,
-                                info.share,
                                 memory.fracture[lane],
                                 memory.friction[lane],
-                                memory.given[lane],
-                                memory.owed[lane]});
+                                memory.given_cohesive[lane],
+                                memory.given_frictional[lane]});
         for (unsigned int q = 0; q < n_face_points; ++q)
           {
             const Point now = point(i, q);
@@ -91,10 +90,10 @@ namespace rift
         Memory                   *memory = memory_of(i / batch_size);
         if (memory == nullptr)
           memory = &make_memory(i / batch_size);
-        memory->fracture[lane] = record.fracture;
-        memory->friction[lane] = record.friction;
-        memory->given[lane]    = record.given;
-        memory->owed[lane]     = record.owed;
+        memory->fracture[lane]         = record.fracture;
+        memory->friction[lane]         = record.friction;
+        memory->given_cohesive[lane]   = record.given_cohesive;
+        memory->given_frictional[lane] = record.given_frictional;
         for (unsigned int q = 0; q < n_face_points; ++q)
           {
             Point now;

@@ -68,13 +68,6 @@ namespace rift
     strength(FaceIndex face) const;
 
     /**
-     * As strength(), but tensile strength and cohesion are those of the
-     * direction that has most of them: no plane bears more.
-     */
-    FaceStrength
-    strength_of_all_planes(FaceIndex face) const;
-
-    /**
      * For each cell the stress below which none of its faces can break, with
      * some margin; the same on all ranks that see the cell. Collective.
      */

@@ -16,12 +16,6 @@ namespace rift
    * (doc/theory.md, eq. 11). The traction is the mean of the two cells'
    * nominal tractions P N, resolved along the current normal.
    *
-   * With a least share below 1 a face also breaks when the mean second
-   * Piola-Kirchhoff stress of its two cells reaches the strength on some plane
-   * and the face itself bears at least this share of its own strength (eq.
-   * 11b): tilted faces then no longer hold a crack together that runs beside
-   * them.
-   *
    * The decision for a face depends on its two cells alone, so that all ranks
    * that see the face decide the same.
    */
@@ -29,16 +23,15 @@ namespace rift
   {
   public:
     /**
-     * All arguments but the parameters must outlive this object.
+     * All arguments must outlive this object.
      *
      * @param bounds those that `internal_force` watches.
      */
-    Insertion(const Topology           &topology,
-              const ReferenceCellData  &reference,
-              const InternalForce      &internal_force,
-              const FaceStrengths      &strengths,
-              const StressBounds       &bounds,
-              const CohesiveParameters &parameters);
+    Insertion(const Topology          &topology,
+              const ReferenceCellData &reference,
+              const InternalForce     &internal_force,
+              const FaceStrengths     &strengths,
+              const StressBounds      &bounds);
 
     /**
      * Faces of the hot cells at their strength, ascending.
@@ -52,8 +45,7 @@ namespace rift
     /**
      * Faces of a batch on which the stress of the cell itself comes near the
      * smallest strength of its faces, one bit for each lane: at a face that
-     * is at its strength that is so on one of its sides at least. All faces
-     * where less than that breaks them.
+     * is at its strength that is so on one of its sides at least.
      */
     std::array<std::uint8_t, n_corners>
     near_strength(std::uint32_t                     batch,
@@ -70,7 +62,6 @@ namespace rift
     const ReferenceCellData &reference;
     const FaceStrengths     &strengths;
     const StressBounds      &bounds;
-    const double             least_share;
 
     CellStresses stresses;
   };

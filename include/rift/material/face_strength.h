@@ -18,17 +18,13 @@ namespace rift
     /** Fracture energies of modes I and II, J/m^2. */
     double fracture_energy_1, fracture_energy_2;
 
-    /** With a share of the strength and of all friction, but the whole fracture
-     * energies. */
-    FaceStrength
-    times(const double share) const
+    /** Whether a normal stress (tension positive) and a shear stress of a plane,
+     * Pa, reach it (doc/theory.md, eq. 11). */
+    bool
+    is_reached(const double normal, const double shear) const
     {
-      return {share * tensile_strength,
-              share * cohesion,
-              share * tan_friction_angle,
-              share * residual_friction,
-              fracture_energy_1,
-              fracture_energy_2};
+      return normal >= tensile_strength ||
+             shear >= cohesion - std::min(normal, 0.) * tan_friction_angle;
     }
 
     /** With both strengths times a random factor. */
@@ -39,16 +35,6 @@ namespace rift
       result.tensile_strength *= factor;
       result.cohesion *= factor;
       return result;
-    }
-
-    /** Part of the strength of eq. (11) that a plane bears, for its normal
-     * stress (tension positive) and its shear stress, Pa. */
-    double
-    share_of(const double normal, const double shear) const
-    {
-      return std::max(normal / tensile_strength,
-                      shear /
-                        (cohesion - std::min(normal, 0.) * tan_friction_angle));
     }
   };
 

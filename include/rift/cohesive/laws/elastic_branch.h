@@ -23,12 +23,6 @@ namespace rift
 
     /** The trial at the peak, over the peak. */
     static constexpr double peak_ratio = 1;
-
-    /**
-     * What the way to the peak takes of the fracture energy, over peak^2 / k:
-     * all its work, so that separation takes no more than that.
-     */
-    static constexpr double rising_work_fraction = .5;
   };
 
   /**
@@ -42,10 +36,6 @@ namespace rift
     static constexpr CohesiveModel model       = CohesiveModel::intrinsic;
     static constexpr bool          is_straight = false;
     static constexpr double        peak_ratio  = 2;
-
-    /** None: as in the literature, the work of the rising branch comes on top
-     * of the fracture energy. */
-    static constexpr double rising_work_fraction = 0;
 
     /** Traction over trial; `ratio` is the trial over its peak. */
     template <typename Number>

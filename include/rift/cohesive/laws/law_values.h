@@ -16,6 +16,17 @@ namespace rift
   };
 
   /**
+   * Elastic energy per area that comes with the traction with which a face
+   * starts, J/m^2. It has not been drawn from the body.
+   */
+  struct InitialEnergy
+  {
+    /** Of tension and of the shear that the cohesion carries, which fracture
+     * uses up, and of pressure and friction. */
+    double cohesive, frictional;
+  };
+
+  /**
    * The two parts of the damage of a point. D = sqrt(opening^2 + slip^2) rises
    * from 0, intact, to 1, separated; it may be more than 1.
    */

@@ -26,10 +26,6 @@ namespace rift
     /** The damage D, and the part that sliding has in D^2. */
     Number damage, sliding;
 
-    /** Elastic energy of pressure and friction that the point was given at its
-     * start, J/m^2. */
-    Number owed;
-
     /** All members with their names; see PointField. */
     static constexpr auto
     fields()
@@ -40,8 +36,7 @@ namespace rift
                              field("strength", &Point::strength),
                              field("separation", &Point::separation),
                              field("damage", &Point::damage),
-                             field("sliding", &Point::sliding),
-                             field("owed", &Point::owed));
+                             field("sliding", &Point::sliding));
     }
   };
 
@@ -116,8 +111,9 @@ namespace rift
     static constexpr const char   *name  = "linear";
     static constexpr CohesiveModel model = CohesiveModel::extrinsic;
     static constexpr const char   *summary =
-      "opening and sliding make one effective jump, with which the traction "
-      "softens along a line (eq. 14d of doc/theory.md)";
+      "cracks follow faces as well, and opening and sliding make one effective "
+      "jump, with which the traction softens along a line (eq. 14d of "
+      "doc/theory.md)";
 
     /** The constants of one face. `stiffness` is the slope of the elastic branch, Pa/m. */
     static Constants<double>
@@ -158,7 +154,7 @@ namespace rift
      * the strength becomes the strength; the energy that is still to be drawn
      * from the body stays the same.
      */
-    static double
+    static InitialEnergy
     hold_traction(Point<double>           &point,
                   const FaceStrength      &strength,
                   const Constants<double> &constants,
@@ -183,8 +179,7 @@ namespace rift
                      to_come + has.fracture_part(strength, constants));
       const double given =
         has.cohesive_energy(constants) - had.cohesive_energy(constants);
-      point.owed += elastic_energy(point, constants) - held - given;
-      return given;
+      return {given, elastic_energy(point, constants) - held - given};
     }
 
     /** Moves a point to a new jump, m; see MohrCoulomb::update(). */
@@ -243,14 +238,6 @@ namespace rift
                    const Constants<Number> &constants)
     {
       return .5 * dot(point.traction, point.traction) / constants.stiffness;
-    }
-
-    /** Part of elastic_energy() that is not to count in the ledger, J/m^2. */
-    template <typename Number>
-    static Number
-    owed_energy(const Point<Number> &point)
-    {
-      return point.owed;
     }
 
     /** The damage by opening and by sliding. */

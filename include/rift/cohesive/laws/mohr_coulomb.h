@@ -45,10 +45,11 @@ namespace rift
     using Constants = MohrCoulombConstants<Number>;
 
     /** The value of the entry Cohesive law, and what it does. */
-    static constexpr const char *name = "Mohr-Coulomb";
+    static constexpr const char *name = "faces";
     static constexpr const char *summary =
-      "opening and sliding have an envelope each, which softens with a common "
-      "damage along the curve of Munjiza (eq. 14 of doc/theory.md)";
+      "cracks follow the faces of cells, and the opening and sliding of a face "
+      "have a Mohr-Coulomb envelope each, which softens with a common damage "
+      "along the curve of Munjiza (eq. 14 of doc/theory.md)";
 
     /** The cohesive model that it serves. */
     static constexpr CohesiveModel model = Branch::model;
@@ -64,7 +65,7 @@ namespace rift
 
     /**
      * Whether a face needs no more than its fracture energy. It does need more
-     * where a separation that spent just that would be shorter than
+     * where the separation that spends just that would be shorter than
      * shortest_separation in one of the modes: the mesh is too coarse for the
      * material.
      */
@@ -76,17 +77,11 @@ namespace rift
      * For straight branches: gives a point more traction than it had at its
      * last update. The force that held two nodes together until now passes to
      * the face, so that the start is continuous in time (doc/theory.md, section
-     * 5). What is above the strength becomes excess. Of the elastic energy,
-     * what the pressure lets the body repay becomes debt. Separations are
-     * adapted so that the energy drawn from the body remains the fracture
-     * energy.
+     * 5). What is above the strength becomes excess.
      *
      * @param jump now, m; the body may have moved since the last update.
-     * @return the elastic energy per area that comes with the traction besides
-     *   the debt, J/m^2: that of tension, and under little pressure that of the
-     *   shear which the cohesion carries. Fracture will use it up.
      */
-    static double
+    static InitialEnergy
     hold_traction(Point<double>           &point,
                   const FaceStrength      &strength,
                   const Constants<double> &constants,
@@ -132,15 +127,6 @@ namespace rift
     static Number
     elastic_energy(const Point<Number>     &point,
                    const Constants<Number> &constants);
-
-    /** Part of elastic_energy() that the point was given at its start and that
-     * the body has still to repay, J/m^2. */
-    template <typename Number>
-    static Number
-    owed_energy(const Point<Number> &point)
-    {
-      return point.debt;
-    }
 
     /** The damage by opening and by sliding. */
     template <typename Number>
@@ -216,17 +202,6 @@ namespace rift
     static Number
     trial_of(const Number &traction, const Number &peak);
 
-    /**
-     * Straight branches: draws a part of the debt from the body. The pressure
-     * of a compressed point falls by as much elastic energy, at the same jump,
-     * and the body closes the face a little more (doc/theory.md, eq. 19a).
-     */
-    template <typename Number>
-    static void
-    repay(Point<Number>           &point,
-          const Constants<Number> &constants,
-          const Vector3<Number>   &jump);
-
     /** Has damage and excess follow jumps beyond the envelope, m. */
     template <typename Number>
     void
@@ -301,10 +276,6 @@ namespace rift
 
   /** Decline of the excess with the jump, over the slope of the branch. */
   constexpr double excess_slope = .5;
-
-  /** Part of the debt of a compressed point that is repaid in a step, and the
-   * largest part by which its pressure changes for that. */
-  constexpr double repayment = .1;
 
   /**
    * Least separation over the jump strength / k. Any shorter, and a face would

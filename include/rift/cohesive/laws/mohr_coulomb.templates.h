@@ -14,7 +14,7 @@ namespace rift
                                 const Constants<Number> &constants)
   {
     return {point.softening * constants.tensile_strength + point.normal_excess,
-            point.softening * point.cohesion + point.shear_excess,
+            point.softening * constants.cohesion + point.shear_excess,
             constants.friction_at(point.softening)};
   }
 
@@ -102,7 +102,6 @@ namespace rift
     Point<Number>  point{};
     MaskOf<Number> yields;
     point.softening = Number{} + 1.;
-    point.cohesion  = constants.cohesion;
     point.traction  = intact_traction(constants, jump, yields);
     return elastic_energy(point, constants);
   }
@@ -131,10 +130,8 @@ namespace rift
                               const Constants<Number> &constants,
                               const Vector3<Number>   &jump) const
   {
-    const Number    zero{};
-    Vector3<Number> former = point.traction;
-    if constexpr (Branch::is_straight)
-      repay(point, constants, jump);
+    const Number                zero{};
+    Vector3<Number>             former = point.traction;
     const TrialTraction<Number> trial(constants, jump - point.offset);
     const Peaks<Number>         before = peaks_of(point, constants);
     const Overstress<Number>    over   = overstress(trial, before);
@@ -264,32 +261,6 @@ namespace rift
   template <typename Branch>
   template <typename Number>
   void
-  MohrCoulomb<Branch>::repay(Point<Number>           &point,
-                             const Constants<Number> &constants,
-                             const Vector3<Number>   &jump)
-  {
-    const Number zero{};
-    const Number pressure =
-      max(constants.stiffness * (point.offset[0] - jump[0]), zero);
-    // What has been paid too much comes back.
-    const auto pays = (point.debt * point.debt > zero) & (pressure > zero);
-    if (!any(pays))
-      return;
-    const Number repaid = sqrt(max(
-      pressure * pressure - (2 * repayment) * constants.stiffness * point.debt,
-      zero));
-    const Number rest =
-      min(max(repaid, (1 - repayment) * pressure), (1 + repayment) * pressure);
-    // By the trapezoidal rule, as the central differences do their work.
-    const Number closing = (pressure - rest) / constants.stiffness;
-    const Number paid    = .5 * (rest - point.traction[0]) * closing;
-    point.offset[0] = select(pays, point.offset[0] - closing, point.offset[0]);
-    point.debt      = select(pays, point.debt - paid, point.debt);
-  }
-
-  template <typename Branch>
-  template <typename Number>
-  void
   MohrCoulomb<Branch>::soften(Point<Number>           &point,
                               const Constants<Number> &constants,
                               const Number            &opening,
@@ -298,8 +269,8 @@ namespace rift
     const Number zero{}, one = zero + 1.;
     rift_check(!any((opening < zero) | (slip < zero)));
     const auto alive = point.softening > zero;
-    point.opening += select(alive, opening * point.inverse_opening, zero);
-    point.slip += select(alive, slip * point.inverse_slip, zero);
+    point.opening += select(alive, opening * constants.inverse_opening, zero);
+    point.slip += select(alive, slip * constants.inverse_slip, zero);
     const Number damage_squared =
       point.opening * point.opening + point.slip * point.slip;
     const Number share =

@@ -25,22 +25,8 @@ namespace rift
     /** f(D): the share of the strength that is left, 1 to 0. */
     Number softening;
 
-    /** Peak of the envelope in shear without friction, Pa. */
-    Number cohesion;
-
     /** Traction above the strength that is still held, Pa: normal, shear. */
     Number normal_excess, shear_excess;
-
-    /** One over the opening and the slip of full separation, 1/m. */
-    Number inverse_opening, inverse_slip;
-
-    /** What of the elastic energy per area a point under pressure had from the
-     * start and has not drawn from the body yet, J/m^2; see repay(). */
-    Number debt;
-
-    /** Elastic energies per area that a point had from the start and that are
-     * no debt, of opening and of sliding, J/m^2. Fracture uses them up. */
-    Number given_opening, given_sliding;
 
     /** All members with their names; see PointField. */
     static constexpr auto
@@ -52,14 +38,8 @@ namespace rift
                              field("opening", &Point::opening),
                              field("slip", &Point::slip),
                              field("softening", &Point::softening),
-                             field("cohesion", &Point::cohesion),
                              field("normal excess", &Point::normal_excess),
-                             field("shear excess", &Point::shear_excess),
-                             field("inverse opening", &Point::inverse_opening),
-                             field("inverse slip", &Point::inverse_slip),
-                             field("debt", &Point::debt),
-                             field("given opening", &Point::given_opening),
-                             field("given sliding", &Point::given_sliding));
+                             field("shear excess", &Point::shear_excess));
     }
   };
 
@@ -76,6 +56,10 @@ namespace rift
     /** Coefficients of friction of the intact and of the failed face. */
     Number tan_friction_angle, residual_friction;
 
+    /** One over the opening and the slip beyond the envelope at which a face has
+     * separated, 1/m. */
+    Number inverse_opening, inverse_slip;
+
     /** All members with their names; see PointField. */
     static constexpr auto
     fields()
@@ -86,7 +70,9 @@ namespace rift
         field("tensile strength", &Constants::tensile_strength),
         field("cohesion", &Constants::cohesion),
         field("tan friction angle", &Constants::tan_friction_angle),
-        field("residual friction", &Constants::residual_friction));
+        field("residual friction", &Constants::residual_friction),
+        field("inverse opening", &Constants::inverse_opening),
+        field("inverse slip", &Constants::inverse_slip));
     }
 
     /** Coefficient of friction of a point with this share f(D) of its strength

@@ -1,6 +1,6 @@
 # Runs shattered_cylinder.prm, which is to end well, with a warning.
 #
-#   cmake -D RIFT=... -D SCENE=... -P unpaid_energy.cmake
+#   cmake -D RIFT=... -D SCENE=... -P given_energy.cmake
 execute_process(COMMAND ${RIFT} ${SCENE}
   RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
 set(warning
