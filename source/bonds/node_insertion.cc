@@ -384,9 +384,13 @@ namespace rift
       }
     const CrackPlanes::Part part = {plane, best->projected_area / 3};
     add_plane(vertex, part);
-    for (const auto &[cell, corner] : cells)
-      news.push_back({cell,
-                      corner,
+    // Also to those that know other parts of the vertex alone.
+    for (auto cell = topology.vertex_cells_first(vertex);
+         cell != topology.vertex_cells_last(vertex);
+         ++cell)
+      news.push_back({*cell,
+                      static_cast<std::uint8_t>(
+                        topology.corner_at_vertex(*cell, vertex)),
                       n_corners,
                       CornerNews::Kind::plane,
                       {{plane[0], plane[1], plane[2], part.area}}});
