@@ -2,8 +2,8 @@
 // with aligned = 1. Lengths in m.
 SetFactory("OpenCASCADE");
 DefineConstant[ element_size = 2e-3, aligned = 0 ];
-width = 8e-3; block = 3e-3;
-layer = (aligned ? 2 : 3) * element_size;
+width = 10e-3; block = 2e-3;
+layer = 2 * element_size;
 height = 2 * block + layer;
 
 Box(1) = {0, 0, 0, width, width, block};
