@@ -1,8 +1,8 @@
 // Strip with an edge notch in the middle; its top is divided into bands, which are
 // pulled by speeds that fall along x, so that a crack grows stably. Lengths in m.
 SetFactory("OpenCASCADE");
-DefineConstant[ element_size = 2e-3 ];
-length = 60e-3; thickness = 4e-3; height = 40e-3; notch = 20e-3; gap = 0.6e-3;
+DefineConstant[ element_size = 2e-3, thickness = 4e-3 ];
+length = 60e-3; height = 40e-3; notch = 20e-3; gap = 0.6e-3;
 n_bands = 12;
 
 Box(1) = {0, 0, 0, length, thickness, height};
