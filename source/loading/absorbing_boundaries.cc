@@ -76,10 +76,12 @@ namespace rift
   void
   AbsorbingBoundaries::find_held()
   {
-    held.clear();
+    // Before those that have parted in this step, which may be fewer.
+    std::vector<std::vector<NodeIndex>> sets;
     for (const NodeIndex node : nodes)
       if (auto others = moving_as_one(node); others.size() > 1)
-        held.push_back(std::move(others));
+        sets.push_back(std::move(others));
+    held.insert(held.begin(), sets.begin(), sets.end());
   }
 
   void
