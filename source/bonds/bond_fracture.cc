@@ -52,7 +52,6 @@ namespace rift
     const std::vector<CrackFaces::Face> &faces    = bonds.faces().faces;
     const std::size_t                    n_before = faces.size();
     bonds.rebuild(body.state, change.splits, step.time_step);
-    insertion.follow_cut(change.splits);
     for (std::size_t i = n_before; i < faces.size(); ++i)
       advance_state(faces[i], FaceState::opening);
   }
@@ -142,6 +141,8 @@ namespace rift
   void
   BondFracture::release_faces()
   {
+    // Nodes that are pressed together lie apart by rounding.
+    constexpr double rounding = 1e-6;
     for (std::uint32_t i = 0; i < bonds.faces().faces.size(); ++i)
       {
         const CrackFaces::Face &face  = bonds.faces().faces[i];
@@ -159,7 +160,7 @@ namespace rift
               body.state.displacement[face.nodes[1][c]].vector() -
               body.state.displacement[face.nodes[0][c]].vector();
             const double opening = dot(jump, frame.normal);
-            is_open &= opening > 0;
+            is_open &= opening > rounding * size;
             largest_opening = std::max(largest_opening, opening);
             largest_slip =
               std::max(largest_slip, norm(jump - opening * frame.normal));
@@ -271,14 +272,14 @@ namespace rift
                          face.failure_time});
     archive.write_list("crack faces", faces);
     archive.write_list("bonds", bonds.records());
-    planes.save(topology, body.state, archive);
+    planes.save(topology, archive);
     insertion.save(body.state, archive);
   }
 
   void
   BondFracture::load(const Discretization &body, const Archive &archive)
   {
-    planes.load(topology, body.state, archive);
+    planes.load(topology, archive);
     // In the order in which they have begun to open.
     auto faces = archive.read_list<CrackFaceRecord>("crack faces");
     std::sort(

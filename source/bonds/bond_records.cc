@@ -26,16 +26,18 @@ namespace rift
                 record.cells[side]   = topology.cell_global_indices[first.cell];
                 record.corners[side] = first.corner;
               }
-            record.is_tied     = bond.is_tied ? 1 : 0;
-            record.is_released = bond.is_released ? 1 : 0;
-            record.is_yielding = group.is_yielding ? 1 : 0;
-            record.plane       = history.plane;
-            record.normal      = bond.normal;
-            record.traction    = bond.traction;
-            record.damage      = history.memory.damage;
-            record.slip_damage = history.memory.slip_damage;
-            record.excess      = history.memory.excess;
-            record.energy      = group.energy;
+            record.is_tied        = bond.is_tied ? 1 : 0;
+            record.is_released    = bond.is_released ? 1 : 0;
+            record.is_yielding    = group.is_yielding ? 1 : 0;
+            record.plane          = history.plane;
+            record.normal         = bond.normal;
+            record.traction       = bond.traction;
+            record.damage         = history.memory.damage;
+            record.slip_damage    = history.memory.slip_damage;
+            record.excess         = history.memory.excess;
+            record.gap            = bond.gap;
+            record.pressure_share = bond.pressure_share;
+            record.energy         = group.energy;
             result.push_back(record);
           }
     return result;
@@ -89,10 +91,13 @@ namespace rift
             const BondRecord &record =
               *by_nodes.at({group.parts[bond.parts[0]].node,
                             group.parts[bond.parts[1]].node});
-            // They are as of the step in which they were turned last.
-            bond.normal       = record.normal;
-            group.is_yielding = record.is_yielding != 0;
-            group.energy      = record.energy;
+            // These are of the last step in which the normal has turned or the
+            // nodes have moved against each other.
+            bond.normal         = record.normal;
+            bond.gap            = record.gap;
+            bond.pressure_share = record.pressure_share;
+            group.is_yielding   = record.is_yielding != 0;
+            group.energy        = record.energy;
           }
       }
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rift
 {
@@ -35,11 +36,8 @@ namespace rift
     bool
     bears(const Bond &bond, const Vector3<double> &traction)
     {
-      // Nodes that have moved as one differ by rounding.
-      constexpr double rounding = 1e-9;
-      const double     normal   = dot(traction, bond.normal);
-      if (normal < 0 && (bond.pressure_share < 1 ||
-                         bond.gap * bond.gap > rounding * rounding * bond.area))
+      const double normal = dot(traction, bond.normal);
+      if (normal < 0 && (bond.pressure_share < 1 || bond.gap > 0))
         return false;
       return BondLaw::bears(bond.envelope,
                             normal,
@@ -53,13 +51,14 @@ namespace rift
                    const double                  time_step,
                    const PrescribedAcceleration &prescribed)
   {
-    const bool is_moved = kick(group, state, time_step, prescribed);
-    if (!is_moved && !group.is_yielding && tie(group, state, time_step))
+    const bool any_prescribed =
+      find_free_velocities(group, state, time_step, prescribed);
+    if (!any_prescribed && !group.is_yielding && tie(group, state, time_step))
       return false;
     prepare(group, state, time_step);
     solve(group);
     bool any_fails    = false;
-    group.is_yielding = false;
+    group.is_yielding = unknowns.size() < group.n_active;
     for (const Unknown &unknown : unknowns)
       {
         Bond                 &bond            = group.bonds[unknown.place];
@@ -73,16 +72,17 @@ namespace rift
             state.force[group.parts[bond.parts[1]].node][d] -= force;
           }
         finish(group, unknown.place, traction_before, state, time_step);
-        any_fails |= soften(bond, group.histories[unknown.place], time_step);
+        if (unknown.is_yielding || unknown.is_new)
+          any_fails |= soften(bond, group.histories[unknown.place], time_step);
       }
     return any_fails;
   }
 
   bool
-  BondSolver::kick(VertexBonds                  &group,
-                   const State                  &state,
-                   const double                  time_step,
-                   const PrescribedAcceleration &prescribed)
+  BondSolver::find_free_velocities(VertexBonds                  &group,
+                                   const State                  &state,
+                                   const double                  time_step,
+                                   const PrescribedAcceleration &prescribed)
   {
     using Prescribed    = VertexBonds::Prescribed;
     const std::size_t n = group.parts.size();
@@ -145,7 +145,7 @@ namespace rift
         if (bond.is_new || bond.is_released)
           continue;
         if (!bond.is_tied)
-          update_gap(group, bond, group.histories[i], state);
+          update_gap(group, bond, group.histories[i], state, has_contact);
         if (!bears(bond, traction(bond)))
           return false;
       }
@@ -208,11 +208,18 @@ namespace rift
         Bond &bond = group.bonds[i];
         if (bond.is_released)
           continue;
-        const BondHistory &history = group.histories[i];
-        update_gap(group, bond, history, state);
+        const BondHistory &history      = group.histories[i];
+        const double       share_before = bond.pressure_share;
+        update_gap(group, bond, history, state, has_contact);
         bond.is_tied = false;
-        Unknown u = unknown(bond, time_step);
-        u.place   = i;
+        Unknown u    = unknown(bond, time_step);
+        u.place      = i;
+        // What has been left to contact does not come back.
+        u.largest_pressure =
+          bond.pressure_share == 1 ?
+            std::numeric_limits<double>::max() :
+            std::max(0., -dot(bond.traction, bond.normal)) *
+              std::min(1., bond.pressure_share / share_before);
         u.negligible =
           std::pow(tolerance * history.strength.tensile_strength, 2);
         push(u, u.traction);
@@ -222,8 +229,8 @@ namespace rift
     const auto stays_open = [&](const Unknown &u) {
       const Bond &bond  = group.bonds[u.place];
       const Row   speed = velocity[u.parts[1]] - velocity[u.parts[0]];
-      return bond.envelope.tension <= 0 && !bond.is_new &&
-             norm(bond.traction) == 0 &&
+      return bond.envelope.tension <= 0 && !bond.is_new && bond.gap > 0 &&
+             norm(bond.traction) <= bond.envelope.rounding &&
              bond.gap + time_step * product(speed, u.normal) > 0;
     };
     unknowns.erase(std::remove_if(unknowns.begin(), unknowns.end(), stays_open),
@@ -249,13 +256,12 @@ namespace rift
     u.envelope = bond.envelope;
     u.closing =
       product(u.normal * u.normal, u.stiffness) * bond.gap / time_step;
-    u.pressure_share = bond.pressure_share;
-    u.is_new         = bond.is_new;
+    u.is_new = bond.is_new;
     return u;
   }
 
   bool
-  BondSolver::solve_turn(const bool is_start)
+  BondSolver::solve_once(const bool is_start)
   {
     const double share    = is_start ? tolerance_at_start : tolerance;
     bool         do_agree = true;
@@ -266,14 +272,13 @@ namespace rift
         u.is_yielding = false;
         if (!u.is_new)
           {
-            const double normal = product(trial, u.normal);
-            const Row    shear  = trial - normal * u.normal;
-            const double push_of =
-              normal < 0 ? normal * u.pressure_share : normal;
-            const BondLaw::Borne borne = BondLaw::bear(u.envelope,
-                                                       push_of,
+            const double         normal = product(trial, u.normal);
+            const Row            shear  = trial - normal * u.normal;
+            const double         kept   = std::max(normal, -u.largest_pressure);
+            const BondLaw::Borne borne  = BondLaw::bear(u.envelope,
+                                                       kept,
                                                        product(shear, shear),
-                                                       push_of + u.closing);
+                                                       kept + u.closing);
             u.is_yielding = borne.normal != normal || borne.shear_factor != 1;
             trial = borne.normal * u.normal + borne.shear_factor * shear;
           }
@@ -291,12 +296,12 @@ namespace rift
   BondSolver::solve(const VertexBonds &group)
   {
     // One bond alone is exact at once.
-    const unsigned int most_turns = group.n_active > 1 ? 30 : 1;
-    const bool         any_new    = std::any_of(unknowns.begin(),
+    const unsigned int most_iterations = group.n_active > 1 ? 30 : 1;
+    const bool         any_new         = std::any_of(unknowns.begin(),
                                      unknowns.end(),
                                      [](const Unknown &u) { return u.is_new; });
-    for (unsigned int turn = 0; turn < most_turns; ++turn)
-      if (solve_turn(any_new))
+    for (unsigned int i = 0; i < most_iterations; ++i)
+      if (solve_once(any_new))
         return;
   }
 

@@ -227,8 +227,10 @@ namespace rift
                 topology
                   .face_states[crack_faces.faces[group.fan[f].face].index] ==
                 FaceState::released;
-            update_gap(group, bond, history, state);
-            if (are_released && (bond.gap > 0 || bond.pressure_share == 0))
+            update_gap(group, bond, history, state, solver.has_contact);
+            if (are_released &&
+                (norm(bond.traction) <= bond.envelope.rounding ||
+                 bond.pressure_share == 0))
               {
                 bond.is_released = true;
                 bond.traction    = {{0, 0, 0}};
@@ -253,16 +255,14 @@ namespace rift
                       return !bond.is_tied && !bond.is_new && !bond.is_released;
                     }))
       return {node};
-    const auto root_of = [&](const NodeIndex n) {
-      for (const VertexBonds::Part &part : group.parts)
-        if (part.node == n)
-          return part.root;
-      rift_check(false);
-      return invalid_index;
-    };
+    const auto here = std::find_if(
+      group.parts.begin(),
+      group.parts.end(),
+      [node](const VertexBonds::Part &part) { return part.node == node; });
+    rift_check(here != group.parts.end());
     std::vector<NodeIndex> result;
     for (const VertexBonds::Part &part : group.parts)
-      if (part.root == root_of(node))
+      if (part.root == here->root)
         result.push_back(part.node);
     return result;
   }
@@ -278,7 +278,7 @@ namespace rift
           sum += crack_faces.current_frame(state, group.fan[i].face)
                    .vector(group.fan[i].plane);
         group.bonds[b].normal = (1 / norm(sum)) * sum;
-        update_gap(group, group.bonds[b], history, state);
+        update_gap(group, group.bonds[b], history, state, solver.has_contact);
       }
   }
 

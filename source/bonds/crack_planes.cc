@@ -1,7 +1,6 @@
 #include <rift/bonds/crack_planes.h>
 
 #include <algorithm>
-#include <map>
 
 namespace rift
 {
@@ -13,12 +12,14 @@ namespace rift
       Vector3<double>        normal;
     };
 
-    /** Where the vertex lies, m, and the place in its list. */
-
+    /** Of a cell at a vertex, since a rank may have some of them alone. */
     struct VertexRecord
     {
-      Vector3<double> position;
-      std::uint64_t   place;
+      /** The cell, its corner there, and the place in the list of the vertex. */
+      GlobalCellIndex cell;
+      std::uint32_t   corner, place;
+
+      /** See CrackPlanes::Part. */
       Vector3<double> normal;
       double          area;
     };
@@ -33,7 +34,7 @@ namespace rift
   template <>
   struct HasPlainBytes<VertexRecord> : std::true_type
   {
-    static_assert(sizeof(VertexRecord) == 8 * sizeof(double));
+    static_assert(sizeof(VertexRecord) == 16 + 4 * sizeof(double));
   };
 
   CrackPlanes::FaceSides
@@ -60,9 +61,7 @@ namespace rift
   }
 
   void
-  CrackPlanes::save(const Topology &topology,
-                    const State    &state,
-                    Archive        &archive) const
+  CrackPlanes::save(const Topology &topology, Archive &archive) const
   {
     std::vector<FaceRecord> faces;
     for (const auto &[face, normal] : of_faces)
@@ -73,18 +72,20 @@ namespace rift
     for (const auto &[vertex, parts] : at_vertices)
       // The first node at a vertex has its number.
       if (topology.owns_node(vertex))
-        for (std::size_t i = 0; i < parts.size(); ++i)
-          vertices.push_back({state.reference[vertex].vector(),
-                              i,
-                              parts[i].normal,
-                              parts[i].area});
+        for (auto cell = topology.vertex_cells_first(vertex);
+             cell != topology.vertex_cells_last(vertex);
+             ++cell)
+          for (std::uint32_t i = 0; i < parts.size(); ++i)
+            vertices.push_back({topology.cell_global_indices[*cell],
+                                topology.corner_at_vertex(*cell, vertex),
+                                i,
+                                parts[i].normal,
+                                parts[i].area});
     archive.write_list("crack planes at vertices", vertices);
   }
 
   void
-  CrackPlanes::load(const Topology &topology,
-                    const State    &state,
-                    const Archive  &archive)
+  CrackPlanes::load(const Topology &topology, const Archive &archive)
   {
     for (const auto &record :
          archive.read_list<FaceRecord>("crack planes of faces"))
@@ -97,11 +98,11 @@ namespace rift
               [](const VertexRecord &a, const VertexRecord &b) {
                 return a.place < b.place;
               });
-    std::map<Vector3<double>, VertexIndex> at;
-    for (VertexIndex v = 0; v < topology.n_vertices() && !vertices.empty(); ++v)
-      at[state.reference[v].vector()] = v;
     for (const VertexRecord &record : vertices)
-      if (const auto vertex = at.find(record.position); vertex != at.end())
-        at_vertices[vertex->second].push_back({record.normal, record.area});
+      if (const CellIndex cell = topology.find_cell(record.cell);
+          cell != invalid_index)
+        if (auto &parts = at_vertices[topology.vertex(cell, record.corner)];
+            parts.size() == record.place)
+          parts.push_back({record.normal, record.area});
   }
 } // namespace rift

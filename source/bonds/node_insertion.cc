@@ -61,16 +61,6 @@ namespace rift
   }
 
   void
-  NodeInsertion::follow_cut(const std::vector<NodeSplit> &splits)
-  {
-    // The parts are known by what the node was.
-    for (const NodeSplit &split : splits)
-      if (split.parts[0] < demands.size() && demands[split.parts[0]] > 0)
-        for (std::size_t i = 1; i < split.parts.size(); ++i)
-          set_demand(split.parts[i], demands[split.parts[0]]);
-  }
-
-  void
   NodeInsertion::set_demand(const NodeIndex node, const double demand)
   {
     if (demands.size() <= node)
@@ -90,9 +80,7 @@ namespace rift
     for (const CrackCandidate &candidate : candidates)
       {
         const auto cells = cells_at_node(topology, candidate.node);
-        // A cut of its neighbours may have changed it.
-        if (cells.size() == candidate.n_cells &&
-            is_largest(state, candidate, cells) &&
+        if (is_largest(state, candidate, cells) &&
             (candidate.demand >= 1 + margin_beside_crack ||
              is_on_front(candidate.node, cells) || !is_beside_crack(cells)))
           cut(state, candidate, cells, news);
@@ -198,7 +186,7 @@ namespace rift
               (demand >= 1 &&
                (is_on_front(node, star) || !is_beside_crack(star))))
             {
-              candidates.push_back({node, demand, star.size(), stress});
+              candidates.push_back({node, demand, stress});
               set_demand(node, demand);
             }
         }
@@ -388,12 +376,12 @@ namespace rift
     for (auto cell = topology.vertex_cells_first(vertex);
          cell != topology.vertex_cells_last(vertex);
          ++cell)
-      news.push_back({*cell,
-                      static_cast<std::uint8_t>(
-                        topology.corner_at_vertex(*cell, vertex)),
-                      n_corners,
-                      CornerNews::Kind::plane,
-                      {{plane[0], plane[1], plane[2], part.area}}});
+      news.push_back(
+        {*cell,
+         static_cast<std::uint8_t>(topology.corner_at_vertex(*cell, vertex)),
+         n_corners,
+         CornerNews::Kind::plane,
+         {{plane[0], plane[1], plane[2], part.area}}});
     for (const FaceIndex face : best->faces)
       {
         due.push_back({face, plane});

@@ -142,10 +142,7 @@ namespace rift
          archive.read_list<CandidateRecord>("crack candidates"))
       if (const NodeIndex node = find_complete(record.node);
           node != invalid_index)
-        candidates.push_back({node,
-                              record.demand,
-                              cells_at_node(topology, node).size(),
-                              record.stress});
+        candidates.push_back({node, record.demand, record.stress});
     for (const auto &record : archive.read_list<DemandRecord>("crack demands"))
       if (const NodeIndex node = find_node(record.corner);
           node != invalid_index)

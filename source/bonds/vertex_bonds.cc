@@ -33,13 +33,15 @@ namespace rift
   update_gap(const VertexBonds &group,
              Bond              &bond,
              const BondHistory &history,
-             const State       &state)
+             const State       &state,
+             const bool         has_contact)
   {
-    const Vector3<double> jump    = jump_of(group, bond, state);
-    const double          opening = dot(jump, bond.normal);
-    bond.gap                      = std::max(0., opening);
-    bond.pressure_share           = 1;
-    if (history.memory.damage < 1)
+    constexpr double      rounding = 1e-9;
+    const Vector3<double> jump     = jump_of(group, bond, state);
+    const double          opening  = dot(jump, bond.normal);
+    bond.gap            = opening > rounding * history.size ? opening : 0;
+    bond.pressure_share = 1;
+    if (!has_contact || history.memory.damage < 1)
       return;
     const double slip = norm(jump - opening * bond.normal);
     bond.pressure_share =

@@ -83,7 +83,7 @@ namespace
       : body(body,
              {brittle_granite(story.weibull_modulus)},
              .25,
-             {},
+             parameters_of(CohesiveModel::extrinsic),
              communicator)
       , exchange(communicator, this->body.topology)
       , dt(.6 * this->body.critical.time_step)
@@ -189,7 +189,11 @@ TEST(DividedCracks, AllRanksLookAtTheSameCells)
       for (std::size_t i = 0; i < owners.size(); ++i)
         owners[i] = i * communicator.size() / owners.size();
       const BodyPart     part = part_of(whole, owners, communicator.rank());
-      const BreakingBody here(part, {material}, .25, {}, communicator);
+      const BreakingBody here(part,
+                              {material},
+                              .25,
+                              parameters_of(CohesiveModel::extrinsic),
+                              communicator);
       const BreakingBody there(whole, {material});
       const auto        &a = here.bounds.materials[0];
       const auto        &b = there.bounds.materials[0];

@@ -81,7 +81,11 @@ TEST(DividedFaces, EnergiesAndCountsAreThoseOfTheWhole)
                 random_owners(body.cells.size(), all.size(), random),
                 all.rank());
       BreakingBody whole(body, materials());
-      BreakingBody own(part, materials(), .25, {}, all);
+      BreakingBody own(part,
+                       materials(),
+                       .25,
+                       parameters_of(CohesiveModel::extrinsic),
+                       all);
       cut_all(whole, 1e6);
       cut_all(own, 1e6);
 

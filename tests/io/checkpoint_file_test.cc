@@ -129,7 +129,7 @@ TEST(CheckpointFile, FormatHasNotChanged)
   EXPECT_EQ(small.id.size, 225u);
   EXPECT_EQ(small.id.checksum, 8935834153481957747u);
   EXPECT_EQ(small.bytes.substr(0, 24),
-            std::string("rift checkpoint\0\12\0\0\0\0\0\0\0", 24));
+            std::string("rift checkpoint\0\13\0\0\0\0\0\0\0", 24));
   EXPECT_EQ(small.bytes.substr(24, 31),
             std::string("\7\0\0\0\0\0\0\0\10\0\0\0\0\0\0\0\3\0\0\0\0\0\0\0"
                         "numbers",

@@ -8,3 +8,7 @@ goes_on 400 450 50 "$here/spalling.prm" \
   --set "Material granite/Weibull modulus=24" \
   --set "Material granite/Correlation length=15e-3" \
   --set "Mesh/Element size=${3:-7e-3}" --set "Contact/Contact=true"
+# Where cracks slide under pressure, at steps in which nodes are chosen (odd), and
+# between two in which normals are turned (multiples of 16).
+rm -r whole run
+goes_on 101 109 1 "$here/sliding.prm"

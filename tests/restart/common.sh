@@ -91,7 +91,7 @@ keep_sets_until() {
 goes_on() {
   local first=$1 second=$2 n
   local every=(--set "Checkpoint/Interval in steps=$3"
-    --set "Checkpoint/Number of sets=100")
+    --set "Checkpoint/Number of sets=200")
   shift 3
   expect 0 1 "$@" --output whole
   expect 0 1 "$@" --output run "${every[@]}"

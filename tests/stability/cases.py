@@ -14,8 +14,7 @@ STRONG = {**BRITTLE, "Tensile strength": "1e10", "Cohesion": "1e10",
           "Fracture energy I": "1e8", "Fracture energy II": "1e8"}
 
 NONE = {}
-EXTRINSIC = {"Fracture": {"Cohesive model": "extrinsic",
-                          "Cohesive law": "faces"}}
+BONDS = {"Fracture": {"Cohesive model": "extrinsic", "Cohesive law": "bonds"}}
 
 
 def intrinsic(penalty):
@@ -24,7 +23,7 @@ def intrinsic(penalty):
 
 
 # Name, entries, whether cohesive elements are used.
-MODELS = {"none": NONE, "extrinsic": EXTRINSIC, "intrinsic 10E": intrinsic(10)}
+MODELS = {"none": NONE, "bonds": BONDS, "intrinsic 10E": intrinsic(10)}
 
 # The residual of the ledger over the energy in play may be this: in a body that
 # does not break, when it breaks, and with the intrinsic model. Noise is the worst
@@ -101,7 +100,7 @@ def time_step(shop, quick):
                caught(done, run, 100))
 
     block = box((4, 4, 4), (.02, .02, .02))
-    for model, size in (("none", 1), ("extrinsic", 10), ("intrinsic 10E", .1)):
+    for model, size in (("none", 1), ("bonds", 10), ("intrinsic 10E", .1)):
         yield from step_of_block(shop, block, model, size, quick)
 
 
@@ -198,7 +197,7 @@ def compression(shop, quick):
     block = box((3, 3, 3), (.01, .01, .01))
     end = 1e-4
     for model, sections in MODELS.items():
-        if quick and model != "extrinsic":
+        if quick and model != "bonds":
             continue
         material = ROCK if model == "none" else STRONG
         for how, stretches, is_stable in (
@@ -265,11 +264,14 @@ def penalty(shop, quick):
 
 def weibull(shop, quick):
     mesh = bar(quick)
-    for model in ("extrinsic", "intrinsic 10E"):
+    for model in ("bonds", "intrinsic 10E"):
         for seed in (1,) if quick else (1, 2, 3):
             fracture = {"Fracture": {**MODELS[model]["Fracture"], "Seed": seed}}
+            material = {**BRITTLE, "Weibull modulus": "2"}
+            if model == "bonds":
+                material["Correlation length"] = "10e-3"
             run = pulled_bar(shop, f"weibull_{model}_{seed}", mesh, fracture,
-                             material={**BRITTLE, "Weibull modulus": "2"})
+                             material=material)
             yield stable(f"the same bar, strengths of Weibull modulus 2, seed {seed}, "
                          f"{model}", run, limit(model, True), cut(run))
 
@@ -278,7 +280,7 @@ def shattering(shop, quick):
     """Pressure of many times the strength."""
     mesh = bar(quick)
     n_faces = mesh.inner_faces()
-    for model in ("extrinsic", "intrinsic 10E"):
+    for model in ("bonds", "intrinsic 10E"):
         run = pulled_bar(shop, f"shatter_{model}", mesh, MODELS[model], -150e6,
                          WEAK)
         share = run.summary["faces_broken"] / n_faces if run.is_done else 0
@@ -294,7 +296,7 @@ def shattering(shop, quick):
 def noise(shop, quick):
     """Random rubbish as initial velocities, cell by cell."""
     block = box((4, 4, 4), (.02, .02, .02))
-    cases = [("extrinsic", .7), ("intrinsic 10E", .2)]
+    cases = [("bonds", .7), ("intrinsic 10E", .2)]
     if not quick:
         cases += [("none", .7), ("intrinsic 1E", .2), ("intrinsic 100E", .2),
                   ("intrinsic 1E", .7), ("intrinsic 10E", .7), ("intrinsic 100E", .7)]
@@ -316,7 +318,7 @@ def noise(shop, quick):
 def scale(shop, quick):
     """All lengths and times and the fracture energies times a factor."""
     mesh = bar(True)
-    for model in ("extrinsic", "intrinsic 10E"):
+    for model in ("bonds", "intrinsic 10E"):
         runs = {}
         factors = {"1": 1., "1e-6": 1e-6}
         if not quick:
@@ -338,7 +340,8 @@ def scale_rows(done, run, first, factor, model, is_exact):
         ratios = [run.summary["energy"][kind] / first.summary["energy"][kind]
                   / factor**3 - 1 for kind in ("kinetic", "strain", "fracture")]
         worst = max(map(abs, ratios))
-        bound = 1e-9 if is_exact else 1e-6
+        # Vertices of bonds are solved within 1 %: rounding decides now and then.
+        bound = 1e-4 if model == "bonds" else 1e-9 if is_exact else 1e-6
         counts = [[one.summary[f"faces_{kind}"] for kind in ("inserted", "broken")]
                   for one in (run, first)]
         row.expected += f"; same faces, energies times factor^3, to {bound:g}"

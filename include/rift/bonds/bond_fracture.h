@@ -88,6 +88,7 @@ namespace rift
     {
       contact_interval = interval;
       contact_opening  = opening;
+      bonds.leave_to_contact();
     }
 
     /** Bonds have no stiffness. */

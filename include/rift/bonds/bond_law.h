@@ -70,6 +70,10 @@ namespace rift
       /** What of shear a normal traction takes away in tension, and what pressure
        * adds. */
       double friction_in_tension, friction_under_pressure;
+
+      /** A traction that counts as none, so that one on the envelope stays there
+       * whatever rounding does. */
+      double rounding;
     };
 
     /** The present one. */
@@ -80,7 +84,8 @@ namespace rift
       return {left * strength.tensile_strength,
               left * strength.cohesion,
               strength.tan_friction_angle,
-              friction(strength, memory)};
+              friction(strength, memory),
+              1e-9 * strength.tensile_strength};
     }
 
     /** Whether a traction lies inside an envelope, for its shear part
@@ -91,10 +96,10 @@ namespace rift
           const double    shear_squared)
     {
       const double largest =
-        envelope.shear - normal * (normal > 0 ?
-                                     envelope.friction_in_tension :
-                                     envelope.friction_under_pressure);
-      return normal <= std::max(0., envelope.tension) && largest >= 0 &&
+        envelope.shear + envelope.rounding -
+        normal * (normal > 0 ? envelope.friction_in_tension :
+                               envelope.friction_under_pressure);
+      return normal <= envelope.tension + envelope.rounding && largest >= 0 &&
              shear_squared <= largest * largest;
     }
 
@@ -134,12 +139,11 @@ namespace rift
           return {factor * normal, factor};
         }
       const double left = std::min(0., closing);
-      const double largest =
-        envelope.shear - envelope.friction_under_pressure * left;
+      if (bears(envelope, left, shear_squared))
+        return {left, 1};
       return {left,
-              shear_squared > largest * largest ?
-                largest / std::sqrt(shear_squared) :
-                1};
+              (envelope.shear - envelope.friction_under_pressure * left) /
+                std::sqrt(shear_squared)};
     }
 
     /**

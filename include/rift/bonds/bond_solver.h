@@ -33,14 +33,17 @@ namespace rift
     /** The law of all bonds. */
     const BondLaw law;
 
+    /** Whether contact takes over from bonds that have failed. */
+    bool has_contact = false;
+
   private:
-    /** Velocities after the kick without bonds; whether a component is
-     * prescribed. */
+    /** Finds the velocities after the step without bonds.
+     * @return whether a component is prescribed. */
     bool
-    kick(VertexBonds                  &group,
-         const State                  &state,
-         double                        time_step,
-         const PrescribedAcceleration &prescribed);
+    find_free_velocities(VertexBonds                  &group,
+                         const State                  &state,
+                         double                        time_step,
+                         const PrescribedAcceleration &prescribed);
 
     /**
      * Keeps all parts together, with the smallest mean square of traction.
@@ -75,13 +78,14 @@ namespace rift
 
       BondLaw::Envelope envelope;
 
-      /** Normal traction that would close the gap within a step, Pa, and the part
-       * of the pressure that it bears. */
-      double closing, pressure_share;
+      /** Normal traction that would close the gap within a step, and the largest
+       * pressure that it bears, Pa. */
+      double closing, largest_pressure;
 
       /** Difference of two tractions that is negligible, squared, Pa^2. */
       double negligible;
 
+      /** Its nodes among those of the vertex. */
       std::uint32_t parts[2];
 
       /** Its place in the group, whether it bears whatever is needed, and whether
@@ -105,7 +109,7 @@ namespace rift
     /** Once for each bond; whether the tractions agree with those before, more
      * closely if some bond starts. */
     bool
-    solve_turn(bool is_start);
+    solve_once(bool is_start);
 
     /** Changes the velocities of the nodes of a bond by a traction. */
     void
@@ -119,7 +123,7 @@ namespace rift
     bool
     soften(Bond &bond, BondHistory &history, double time_step) const;
 
-    /** By part: velocity after the kick, force that keeps it with the others, and
+    /** By part: velocity after the step, force that keeps it with the others, and
      * potential of these forces; inverse mass by component. */
     std::vector<Row> velocity, bond_force, potential, inverse_mass;
 

@@ -29,7 +29,7 @@ namespace rift
 
     /** See Bond. */
     Vector3<double> plane, normal, traction;
-    double          damage, slip_damage, excess;
+    double          damage, slip_damage, excess, gap, pressure_share;
 
     /** Of all bonds at the vertex, J. */
     BondEnergy energy;
@@ -38,7 +38,7 @@ namespace rift
   template <>
   struct HasPlainBytes<BondRecord> : std::true_type
   {
-    static_assert(sizeof(BondRecord) == 5 * 8 + 15 * sizeof(double));
+    static_assert(sizeof(BondRecord) == 5 * 8 + 17 * sizeof(double));
   };
 
   /** The bonds at all complete vertices. */
@@ -68,6 +68,13 @@ namespace rift
      * been cut as it was. */
     void
     restore(const State &state, const std::vector<BondRecord> &records);
+
+    /** Has contact take over from bonds that have failed. */
+    void
+    leave_to_contact()
+    {
+      solver.has_contact = true;
+    }
 
     /**
      * Ends bonds all of whose faces have been released and that are open or have

@@ -2,7 +2,8 @@
 #define rift_bonds_crack_planes_h
 
 #include <rift/base/archive.h>
-#include <rift/discretization/state.h>
+#include <rift/base/vector3.h>
+#include <rift/mesh/topology.h>
 
 #include <unordered_map>
 #include <unordered_set>
@@ -44,11 +45,11 @@ namespace rift
 
     /** Writes those of the faces and vertices that this rank owns. */
     void
-    save(const Topology &topology, const State &state, Archive &archive) const;
+    save(const Topology &topology, Archive &archive) const;
 
     /** Reads what ranks have saved. */
     void
-    load(const Topology &topology, const State &state, const Archive &archive);
+    load(const Topology &topology, const Archive &archive);
   };
 } // namespace rift
 

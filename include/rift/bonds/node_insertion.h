@@ -20,8 +20,7 @@ namespace rift
     NodeIndex node;
     double    demand;
 
-    /** Number of its cells, and their mean second Piola-Kirchhoff stress, Pa. */
-    std::size_t             n_cells;
+    /** Mean second Piola-Kirchhoff stress of its cells, Pa. */
     SymmetricTensor<double> stress;
   };
 
@@ -48,10 +47,6 @@ namespace rift
     /** Faces to be cut now, ascending; their planes are known from here on. */
     std::vector<FaceIndex>
     take_due_faces();
-
-    /** Takes in that nodes have split. */
-    void
-    follow_cut(const std::vector<NodeSplit> &splits);
 
     /**
      * Chooses among the candidates of the step before those that part, and

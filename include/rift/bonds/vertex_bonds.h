@@ -38,17 +38,14 @@ namespace rift
     /** What it bears at its present damage. */
     BondLaw::Envelope envelope;
 
-    /** Opening, m, and the part of the pressure that it bears, both since the
-     * nodes have last moved against each other. */
+    /** How far it is open, m, and the part of its pressure that it has not left
+     * to contact, both since the nodes have last moved against each other. */
     double gap, pressure_share;
 
     /** Whether it has yet to go through its first step, which sets its excess;
      * whether its energy up to t_n is known already; whether its nodes have
      * moved as one since the last step. */
     bool is_new, is_counted, is_tied;
-
-    /** Whether its traction was cut back in the last step. */
-    bool is_yielding;
 
     /** Whether contact has taken over all of its faces: it bears nothing. */
     bool is_released;
@@ -171,15 +168,18 @@ namespace rift
   constexpr double slip_to_contact = .1, slip_of_fading = .05;
 
   /**
-   * Looks how far the nodes of a bond have parted, and sets its gap and the part
-   * of the pressure that it bears: less than 1 once it has failed and slid so far
-   * that contact takes over.
+   * Looks how far the nodes of a bond have parted, and sets its gap, which is 0
+   * where they are closed but for rounding, and the part of its pressure that it
+   * keeps: less than 1 once it has failed and slid so far that contact takes over.
+   *
+   * @param has_contact whether there is contact to do so.
    */
   void
   update_gap(const VertexBonds &group,
              Bond              &bond,
              const BondHistory &history,
-             const State       &state);
+             const State       &state,
+             bool               has_contact);
 
   /**
    * Finds the parts that bonds connect, and the inverse of their Laplacian: in

@@ -25,7 +25,7 @@ namespace rift
    * Number of the format: of this file, of the sets, and of what the simulation
    * stores in them. A file of another number is refused.
    */
-  constexpr std::uint64_t checkpoint_format = 10;
+  constexpr std::uint64_t checkpoint_format = 11;
 
   /** A file of a checkpoint is not what has been written. */
   class CheckpointDamaged : public InputError
