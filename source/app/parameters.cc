@@ -122,7 +122,9 @@ namespace rift
                                "with a Weibull modulus, the cohesive law "
                                "\"bonds\" needs the distance over which "
                                "strengths are alike. Set it, in metres, or "
-                               "remove \"Weibull modulus\".");
+                               "remove \"Weibull modulus\", or take the law "
+                               "\"faces\", with which strengths scatter from "
+                               "face to face.");
     }
 
     // What can only be seen by looking at more than one subsection.
@@ -380,7 +382,11 @@ namespace rift
         << "materials:  " << names(parameters.materials) << '\n'
         << "boundaries: " << names(parameters.boundaries) << '\n'
         << "probes:     " << names(parameters.probes) << '\n'
-        << "fracture:   " << to_string(parameters.cohesive.model) << '\n'
+        << "fracture:   " << to_string(parameters.cohesive.model)
+        << (parameters.cohesive.model == CohesiveParameters::Model::none ?
+              "" :
+              ", " + parameters.cohesive.chosen_law())
+        << '\n'
         << "contact:    "
         << (contact.is_active(can_break, 1) ? "yes" :
             contact.is_active(can_break, 2) ? "if there are several bodies" :

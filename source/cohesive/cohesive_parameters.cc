@@ -261,7 +261,8 @@ namespace rift
       result.push_back({section,
                         {"Stiffness factor"},
                         {{section, "Cohesive law"}},
-                        "with this cohesive law"});
+                        "with bonds, which have no springs and are the "
+                        "default of \"Cohesive law\"; it serves \"faces\""});
     return result;
   }
 } // namespace rift
