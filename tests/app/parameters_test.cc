@@ -306,7 +306,7 @@ TEST_F(ParametersTest, SummaryNamesWhatTheSceneHas)
               "materials:  granite, steel\n"
               "boundaries: loaded, side\n"
               "probes:     fspv, middle\n"
-              "fracture:   extrinsic\n"
+              "fracture:   extrinsic, faces\n"
               "contact:    yes\n"
               "end time:   0.0002 s\n"
               "output:     somewhere else\n");
@@ -318,7 +318,7 @@ TEST_F(ParametersTest, SummaryNamesWhatTheSceneHas)
   print_summary(intrinsic,
                 read_parameters(write("full.prm", scene),
                                 {"Fracture/Cohesive model=intrinsic"}));
-  EXPECT_NE(intrinsic.str().find("fracture:   intrinsic\n"), std::string::npos);
+  EXPECT_NE(intrinsic.str().find("fracture:   intrinsic, faces\n"), std::string::npos);
 }
 
 TEST(Reference, NamesUnitsChoicesAndDefaults)
