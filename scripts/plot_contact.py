@@ -13,7 +13,8 @@ from rift_output import import_pyplot, np, read_series, read_table, read_vtu
 
 plt = import_pyplot()
 
-ENERGIES = ("kinetic", "strain", "contact", "fracture", "friction", "damping")
+ENERGIES = ("kinetic", "strain", "contact", "fracture", "friction", "damping",
+            "closing")
 
 
 def count_fragments(files):
@@ -27,8 +28,8 @@ def main(results, figure):
     times = 1e3 * table["time [s]"]
     _, (left, right) = plt.subplots(1, 2, figsize=(11, 3.8), layout="constrained")
     for name in ENERGIES:
-        values = table[f"{name} [J]"]
-        if values.any():
+        values = table.get(f"{name} [J]")
+        if values is not None and values.any():
             left.plot(times, values, label=name)
     left.plot(times, table["residual [J]"], "k:", label="residual")
     left.set(xlabel="time (ms)", ylabel="energy (J)")

@@ -19,7 +19,7 @@ except ImportError:
     sys.exit(f"{sys.argv[0]} needs the package python3-paraview and pvbatch of the "
              "package paraview: see usage in the script.")
 
-SCALE = 60
+SCALE = 20
 LEAST_OPENING = 10
 
 
@@ -99,7 +99,7 @@ def main(results, picture):
     faces = pv.Show(opened, bottom)
     faces.Representation = "Surface"
     colour(faces, bottom, ("CELLS", "opening"),
-           "Opening (um), from %d um" % LEAST_OPENING, (LEAST_OPENING, 100),
+           "Opening (um), from %d um" % LEAST_OPENING, (LEAST_OPENING, 600),
            "Plasma (matplotlib)")
     pv.Render(bottom)
 
