@@ -125,7 +125,7 @@ TEST(CheckpointFile, FormatHasNotChanged)
 {
   const TemporaryDirectory directory;
   const SmallFile          small(directory / "f");
-  EXPECT_EQ(checkpoint_format, 10u);
+  EXPECT_EQ(checkpoint_format, 11u);
   EXPECT_EQ(small.id.size, 225u);
   EXPECT_EQ(small.id.checksum, 8935834153481957747u);
   EXPECT_EQ(small.bytes.substr(0, 24),
