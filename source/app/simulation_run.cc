@@ -193,10 +193,10 @@ namespace rift
   void
   Simulation::warn_of_results(const FaceCounts &faces)
   {
-    const double     cohesive            = ledger.energies()["cohesive"];
+    const double     cohesive           = ledger.energies()["cohesive"];
     constexpr double largest_given_part = .05;
-    if (cohesive < 0 && -cohesive > largest_given_part *
-                                      (ledger.energies().total() - cohesive))
+    if (cohesive < 0 &&
+        -cohesive > largest_given_part * (ledger.energies().total() - cohesive))
       log.warn("faces that broke while they were compressed have given " +
                short_text(-cohesive) +
                " J to the body, and nothing has given it to them; in the "

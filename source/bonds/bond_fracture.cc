@@ -134,7 +134,7 @@ namespace rift
     if (contact_interval > 0 && body.state.step % contact_interval == 0)
       {
         release_faces();
-        bonds.release(body.state);
+        bonds.release();
       }
   }
 

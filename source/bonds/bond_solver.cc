@@ -32,12 +32,15 @@ namespace rift
      * the tensile strength; of themselves alone in the first step of a bond. */
     constexpr double tolerance = 1e-2, tolerance_at_start = 1e-6;
 
-    /** Whether a bond bears a traction; an open one bears no pressure. */
+    /** Whether a bond bears a traction; one that is open or leaves its pressure
+     * to contact bears no pressure. */
     bool
-    bears(const Bond &bond, const Vector3<double> &traction)
+    bears(const Bond            &bond,
+          const Vector3<double> &traction,
+          const double           pressure_share)
     {
       const double normal = dot(traction, bond.normal);
-      if (normal < 0 && (bond.pressure_share < 1 || bond.gap > 0))
+      if (normal < 0 && (pressure_share < 1 || bond.gap > 0))
         return false;
       return BondLaw::bears(bond.envelope,
                             normal,
@@ -144,9 +147,13 @@ namespace rift
         Bond &bond = group.bonds[i];
         if (bond.is_new || bond.is_released)
           continue;
+        double share = bond.pressure_share;
         if (!bond.is_tied)
-          update_gap(group, bond, group.histories[i], state, has_contact);
-        if (!bears(bond, traction(bond)))
+          {
+            update_gap(group, bond, group.histories[i], state);
+            share = pressure_share(group, i, state);
+          }
+        if (!bears(bond, traction(bond), share))
           return false;
       }
 
@@ -191,6 +198,18 @@ namespace rift
     bond.is_new = bond.is_counted = false;
   }
 
+  double
+  BondSolver::pressure_share(const VertexBonds &group,
+                             const std::size_t  place,
+                             const State       &state) const
+  {
+    return has_contact ? pressure_share_of(group,
+                                           group.bonds[place],
+                                           group.histories[place],
+                                           state) :
+                         1;
+  }
+
   void
   BondSolver::prepare(VertexBonds &group,
                       const State &state,
@@ -210,14 +229,17 @@ namespace rift
           continue;
         const BondHistory &history      = group.histories[i];
         const double       share_before = bond.pressure_share;
-        update_gap(group, bond, history, state, has_contact);
-        bond.is_tied = false;
-        Unknown u    = unknown(bond, time_step);
-        u.place      = i;
+        update_gap(group, bond, history, state);
+        bond.pressure_share = pressure_share(group, i, state);
+        bond.is_tied        = false;
+        Unknown u           = unknown(bond, time_step);
+        u.place             = i;
         // What has been left to contact does not come back.
         u.largest_pressure =
           bond.pressure_share == 1 ?
             std::numeric_limits<double>::max() :
+          bond.pressure_share == 0 ?
+            0 :
             std::max(0., -dot(bond.traction, bond.normal)) *
               std::min(1., bond.pressure_share / share_before);
         u.negligible =

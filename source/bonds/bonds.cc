@@ -210,7 +210,7 @@ namespace rift
   }
 
   void
-  Bonds::release(const State &state)
+  Bonds::release()
   {
     for (VertexBonds &group : groups)
       {
@@ -227,7 +227,6 @@ namespace rift
                 topology
                   .face_states[crack_faces.faces[group.fan[f].face].index] ==
                 FaceState::released;
-            update_gap(group, bond, history, state, solver.has_contact);
             if (are_released &&
                 (norm(bond.traction) <= bond.envelope.rounding ||
                  bond.pressure_share == 0))
@@ -278,7 +277,7 @@ namespace rift
           sum += crack_faces.current_frame(state, group.fan[i].face)
                    .vector(group.fan[i].plane);
         group.bonds[b].normal = (1 / norm(sum)) * sum;
-        update_gap(group, group.bonds[b], history, state, solver.has_contact);
+        update_gap(group, group.bonds[b], history, state);
       }
   }
 

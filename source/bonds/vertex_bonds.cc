@@ -33,21 +33,27 @@ namespace rift
   update_gap(const VertexBonds &group,
              Bond              &bond,
              const BondHistory &history,
-             const State       &state,
-             const bool         has_contact)
+             const State       &state)
   {
-    constexpr double      rounding = 1e-9;
-    const Vector3<double> jump     = jump_of(group, bond, state);
-    const double          opening  = dot(jump, bond.normal);
-    bond.gap            = opening > rounding * history.size ? opening : 0;
-    bond.pressure_share = 1;
-    if (!has_contact || history.memory.damage < 1)
-      return;
-    const double slip = norm(jump - opening * bond.normal);
-    bond.pressure_share =
-      std::clamp(1 - (slip / history.size - slip_to_contact) / slip_of_fading,
-                 0.,
-                 1.);
+    constexpr double rounding = 1e-9;
+    const double     opening  = dot(jump_of(group, bond, state), bond.normal);
+    bond.gap                  = opening > rounding * history.size ? opening : 0;
+  }
+
+  double
+  pressure_share_of(const VertexBonds &group,
+                    const Bond        &bond,
+                    const BondHistory &history,
+                    const State       &state)
+  {
+    if (history.memory.damage < 1)
+      return 1;
+    const Vector3<double> jump = jump_of(group, bond, state);
+    const double slip = norm(jump - dot(jump, bond.normal) * bond.normal);
+    return std::clamp(1 - (slip / history.size - slip_to_contact) /
+                            slip_of_fading,
+                      0.,
+                      1.);
   }
 
   void

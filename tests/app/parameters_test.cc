@@ -318,7 +318,8 @@ TEST_F(ParametersTest, SummaryNamesWhatTheSceneHas)
   print_summary(intrinsic,
                 read_parameters(write("full.prm", scene),
                                 {"Fracture/Cohesive model=intrinsic"}));
-  EXPECT_NE(intrinsic.str().find("fracture:   intrinsic, faces\n"), std::string::npos);
+  EXPECT_NE(intrinsic.str().find("fracture:   intrinsic, faces\n"),
+            std::string::npos);
 }
 
 TEST(Reference, NamesUnitsChoicesAndDefaults)

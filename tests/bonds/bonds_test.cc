@@ -253,6 +253,59 @@ TEST(Bonds, OpenBondsCloseFreely)
   EXPECT_GT(n_pressed, 10u);
 }
 
+// A failed bond that slides under pressure leaves all of it to contact, whether
+// or not normals are turned in the same steps.
+TEST(Bonds, PressureOfSlidingBondsIsLeftToContact)
+{
+  for (const bool has_contact : {false, true})
+    {
+      BondedBody body(bar());
+      if (has_contact)
+        body.bonds.leave_to_contact();
+      body.split(body.faces_in_plane(0, edge), across, time_step);
+      double before = 0, behind = 0;
+      for (unsigned int i = 0; i < 1000; ++i)
+        {
+          // Both ends are moved.
+          for (NodeIndex node = 0; node < body.state.n_nodes(); ++node)
+            if (const double side = body.state.reference[node][0] / edge - 1;
+                std::abs(side) > .5)
+              {
+                body.state.velocity[node][0] = -.5 * side;
+                body.state.velocity[node][1] = 20 * side;
+              }
+          for (const VertexBonds &group : body.bonds.vertices())
+            {
+              const Bond        &bond    = group.bonds[0];
+              const BondHistory &history = group.histories[0];
+              if (history.memory.damage < 1)
+                continue;
+              const double pressure = -dot(bond.traction, bond.normal);
+              const Vector jump     = jump_of(group, bond, body.state);
+              const double slip =
+                norm(jump - dot(jump, bond.normal) * bond.normal) /
+                history.size;
+              if (slip < slip_to_contact)
+                before = std::max(before, pressure);
+              // The traction is that of the step before.
+              else if (slip > 1.1 * (slip_to_contact + slip_of_fading))
+                behind = std::max(behind, pressure);
+            }
+          run(body, 1);
+          body.state.step += 1;
+        }
+      EXPECT_GT(before, 1e6);
+      if (has_contact)
+        {
+          EXPECT_EQ(behind, 0);
+        }
+      else
+        {
+          EXPECT_GT(behind, 1e6);
+        }
+    }
+}
+
 // The energy of a whole break is that of its projected area.
 TEST(Bonds, BreakingTakesTheFractureEnergy)
 {

@@ -94,6 +94,12 @@ namespace rift
       bool          is_new, is_yielding;
     };
 
+    /** The part of its pressure that a bond keeps now. */
+    double
+    pressure_share(const VertexBonds &group,
+                   std::size_t        place,
+                   const State       &state) const;
+
     /** Makes the unknowns of a group, with the tractions of the last step. */
     void
     prepare(VertexBonds &group, const State &state, double time_step);

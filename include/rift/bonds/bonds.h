@@ -82,7 +82,7 @@ namespace rift
      * released.
      */
     void
-    release(const State &state);
+    release();
 
     /** Takes in which nodes the faces around these vertices have now. */
     void

@@ -19,7 +19,8 @@ namespace rift
   /**
    * What holds two nodes together that a crack has parted at a vertex: all cut
    * faces between their cells are one bond, whose area and traction are those of
-   * its crack plane (doc/theory.md, eq. 40 to 44). What every step reads.
+   * its crack plane (doc/theory.md, eq. 40 to 44). Here is what is read in each
+   * step.
    */
   struct Bond
   {
@@ -38,9 +39,12 @@ namespace rift
     /** What it bears at its present damage. */
     BondLaw::Envelope envelope;
 
-    /** How far it is open, m, and the part of its pressure that it has not left
-     * to contact, both since the nodes have last moved against each other. */
-    double gap, pressure_share;
+    /** How far it is open, m: update_gap(). */
+    double gap = 0;
+
+    /** The part of its pressure that it had not left to contact when its
+     * traction was last looked for bond by bond: pressure_share_of(). */
+    double pressure_share = 1;
 
     /** Whether it has yet to go through its first step, which sets its excess;
      * whether its energy up to t_n is known already; whether its nodes have
@@ -167,19 +171,21 @@ namespace rift
    * contact, and slip over which it does so. */
   constexpr double slip_to_contact = .1, slip_of_fading = .05;
 
-  /**
-   * Looks how far the nodes of a bond have parted, and sets its gap, which is 0
-   * where they are closed but for rounding, and the part of its pressure that it
-   * keeps: less than 1 once it has failed and slid so far that contact takes over.
-   *
-   * @param has_contact whether there is contact to do so.
-   */
+  /** Looks how far the nodes of a bond have parted: its gap is 0 where they are
+   * closed but for rounding. */
   void
   update_gap(const VertexBonds &group,
              Bond              &bond,
              const BondHistory &history,
-             const State       &state,
-             bool               has_contact);
+             const State       &state);
+
+  /** The part of its pressure that a bond keeps while there is contact: less than
+   * 1 once it has failed and slid so far that contact takes over. */
+  double
+  pressure_share_of(const VertexBonds &group,
+                    const Bond        &bond,
+                    const BondHistory &history,
+                    const State       &state);
 
   /**
    * Finds the parts that bonds connect, and the inverse of their Laplacian: in

@@ -132,7 +132,8 @@ namespace rift
      * strengths or fracture energies, strengths that are not zero and outside
      * 1e-7..1 of the modulus of elasticity, a friction angle outside [0, 80]
      * degrees, a residual one outside [0, friction angle], a Weibull modulus
-     * between 0 and 1, a negative or tiny correlation length, and a table that does not exist.
+     * between 0 and 1, a negative or tiny correlation length, and a table that
+     * does not exist.
      */
     void
     check() const;
